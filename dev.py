@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Everything a developer or a first user does, with nothing but python3 and pip.
+
+    python3 dev.py run      the report of the shipped test-bed case, on screen and as a page
+    python3 dev.py test     the test suite
+    python3 dev.py lint     style, types and import contracts
+    python3 dev.py docs     the documentation, as HTML
+    python3 dev.py bench    the benchmarks
+    python3 dev.py lock     the requirement lock, anew
+    python3 dev.py setup    only the environment (.venv); every other command does this by itself
+
+Words after `run`, `test` and `bench` go to the program behind them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent
+VENV = ROOT / ".venv"
+BIN = VENV / ("Scripts" if os.name == "nt" else "bin")
+PYTHON = BIN / ("python.exe" if os.name == "nt" else "python")
+LOCK = ROOT / "requirements.lock"
+STAMP = VENV / "palmar-stamp"
+GROUPS = ("test", "lint", "docs", "build")
+OLDEST_PYTHON = (3, 11)
+
+
+def stop(message: str) -> None:
+    """Leave with one plain line."""
+    sys.exit(f"dev.py: {message}")
+
+
+def call(*words: str | Path) -> None:
+    """Run a program in the checkout; leave with its exit status if it fails."""
+    status = subprocess.run([str(word) for word in words], cwd=ROOT, check=False).returncode
+    if status:
+        sys.exit(status)
+
+
+def wanted_stamp() -> str:
+    """What the environment depends on: the lock, the project's own table, and the interpreter."""
+    digest = hashlib.sha256(sys.version.encode())
+    for path in (LOCK, ROOT / "pyproject.toml"):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def setup() -> None:
+    """Make `.venv` hold exactly what the lock says, and the project itself; idempotent."""
+    stamp = wanted_stamp()
+    if STAMP.exists() and STAMP.read_text() == stamp:
+        return
+    if sys.version_info < OLDEST_PYTHON:
+        stop(f"needs Python {'.'.join(map(str, OLDEST_PYTHON))} or newer, this is {sys.version.split()[0]}")
+    if subprocess.run([sys.executable, "-m", "pip", "--version"], capture_output=True, check=False).returncode:
+        stop("needs pip for this python3 (Debian: apt-get install python3-pip)")
+    print("dev.py: preparing .venv, once per change of requirements", file=sys.stderr, flush=True)
+    shutil.rmtree(VENV, ignore_errors=True)
+    venv.create(VENV, with_pip=False, symlinks=os.name != "nt")
+    pip = (sys.executable, "-m", "pip", "--python", PYTHON, "install", "-qq", "--disable-pip-version-check")
+    call(*pip, "--require-hashes", "--no-deps", "-r", LOCK)
+    call(*pip, "--no-deps", "--no-build-isolation", "--editable", ROOT)
+    STAMP.write_text(stamp)
+
+
+def run(*words: str) -> None:
+    """The first answer: can the test-bed hand hold the disk, and from where does it catch it?"""
+    call(BIN / "palmar", "report", *(words or ("testbed_table", "--out", "build/report")))
+
+
+def test(*words: str) -> None:
+    call(PYTHON, "-m", "pytest", *words)
+
+
+def lint() -> None:
+    call(BIN / "ruff", "check")
+    call(BIN / "ruff", "format", "--check")
+    call(BIN / "mypy")
+    call(BIN / "lint-imports")
+
+
+def docs() -> None:
+    call(PYTHON, "-m", "sphinx", "-W", "--keep-going", "-q", "-b", "html", "docs", "build/docs")
+    print("documentation: build/docs/index.html")
+
+
+def bench(*words: str) -> None:
+    call(PYTHON, "-m", "pytest", "benchmarks", "-p", "no:xdist", "-n0", "--benchmark-only", *words)
+
+
+def lock() -> None:
+    groups = [word for group in GROUPS for word in ("--group", group)]
+    call(
+        BIN / "uv", "pip", "compile", "pyproject.toml", *groups, "--all-extras", "--universal", "--generate-hashes",
+        "--no-emit-index-url", "--no-annotate", "--no-header", "--quiet", "--output-file", LOCK,
+    )  # fmt: skip
+
+
+COMMANDS = {"run": run, "test": test, "lint": lint, "docs": docs, "bench": bench, "lock": lock, "setup": None}
+TAKE_WORDS = ("run", "test", "bench")
+
+
+def main(words: list[str]) -> None:
+    if not words or words[0] not in COMMANDS or (words[1:] and words[0] not in TAKE_WORDS):
+        print(__doc__, file=sys.stderr)
+        sys.exit(0 if words in (["-h"], ["--help"]) else 2)
+    setup()
+    command = COMMANDS[words[0]]
+    if command is not None:
+        command(*words[1:])
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,1 @@
+"""palmar: can this hand hold it, and from where is it caught for certain?"""

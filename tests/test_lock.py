@@ -1,0 +1,24 @@
+"""The requirement lock names hashes and no address, and pins what the project asks for."""
+
+import re
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+LOCK = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+
+
+def test_lock_has_hashes_and_no_address():
+    assert "://" not in LOCK
+    pins = [line for line in LOCK.splitlines() if re.match(r"[a-z0-9]", line)]
+    assert len(pins) > 30
+    assert LOCK.count("--hash=sha256:") >= len(pins)
+
+
+def test_every_direct_requirement_is_pinned_and_the_build_backend_too():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    wanted = [*project["project"]["dependencies"], *project["build-system"]["requires"]]
+    wanted += [each for group in project["dependency-groups"].values() for each in group]
+    for requirement in wanted:
+        name = re.split(r"[<>=!~\[ ;]", requirement)[0]
+        assert re.search(rf"^{name}==", LOCK, re.MULTILINE), name
