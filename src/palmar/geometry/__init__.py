@@ -1,0 +1,1 @@
+"""Planar primitives and pure functions; polygons carry the bound of their flattening error."""

@@ -1,0 +1,77 @@
+"""Planar sets as Shapely polygons: clean-up, mirror images, exchange of coordinates, inscribed circle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import acos, ceil, cos, pi
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import MultiPolygon, Polygon, affinity
+from shapely.geometry.base import BaseGeometry
+
+Coordinates = list[list[list[list[float]]]]
+"""GeoJSON MultiPolygon coordinates: polygons of rings of [x, y], the first ring the outline."""
+
+EMPTY = MultiPolygon()
+
+
+@dataclass(frozen=True)
+class Circle:
+    """Centre (x, y) and radius, m."""
+
+    centre: tuple[float, float]
+    radius: float
+
+
+def areal(geometry: BaseGeometry) -> MultiPolygon:
+    """Only the two-dimensional parts of a geometry."""
+    parts = [part for part in shapely.get_parts(geometry) if isinstance(part, Polygon) and part.area > 0.0]
+    nested = [piece for part in shapely.get_parts(geometry) if isinstance(part, MultiPolygon) for piece in part.geoms]
+    return MultiPolygon(parts + nested)
+
+
+def outline(points: NDArray[np.float64]) -> MultiPolygon:
+    """The set enclosed by a closed polyline (N, 2); crossings of the line with itself are resolved."""
+    return areal(shapely.make_valid(Polygon(points), method="structure"))
+
+
+def with_mirror_image(half: BaseGeometry) -> MultiPolygon:
+    """A set together with its mirror image in the y axis."""
+    return areal(shapely.union(half, affinity.scale(half, xfact=-1.0, origin=(0.0, 0.0))))
+
+
+def seen_from_object(region: MultiPolygon) -> MultiPolygon:
+    """Object positions in the hand frame -> hand positions relative to the object, for the same hand orientation."""
+    return areal(affinity.scale(region, xfact=-1.0, yfact=-1.0, origin=(0.0, 0.0)))
+
+
+def grown(region: MultiPolygon, distance: float, tolerance: float) -> tuple[MultiPolygon, float]:
+    """Minkowski sum with a disk of radius ``distance`` (m), and the bound (m) by which flattened arcs lie inside it."""
+    quarter = max(1, ceil(pi / (4.0 * acos(max(1.0 - tolerance / distance, 0.0)))))
+    return areal(region.buffer(distance, quad_segs=quarter)), distance * (1.0 - cos(pi / (4.0 * quarter)))
+
+
+def coordinates(region: MultiPolygon) -> Coordinates:
+    """GeoJSON MultiPolygon coordinates, outlines counter-clockwise, holes clockwise."""
+    rings = [shapely.geometry.polygon.orient(polygon) for polygon in region.geoms]
+    return [
+        [[[float(x), float(y)] for x, y in ring.coords] for ring in (polygon.exterior, *polygon.interiors)]
+        for polygon in rings
+    ]
+
+
+def inscribed_circle(region: MultiPolygon, tolerance: float) -> Circle:
+    """A largest circle inside a set that is not empty; its radius is exact for its centre and within ``tolerance`` (m) of the largest.
+
+    Where circles tie, one on the y axis is preferred: the sets here are mirror-symmetric.
+    """
+    seam_free = areal(shapely.union_all(list(region.geoms)))
+    spokes = shapely.maximum_inscribed_circle(seam_free, tolerance)
+    found = shapely.get_point(spokes, 0)
+    centred = shapely.Point(0.0, found.y)
+    edge = seam_free.boundary
+    on_axis = seam_free.contains(centred) and edge.distance(centred) >= edge.distance(found) - tolerance
+    centre = centred if on_axis else found
+    return Circle((float(centre.x), float(centre.y)), float(edge.distance(centre)))

@@ -1,0 +1,95 @@
+"""One question put to palmar: a hand, an object, and everything between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from enum import Enum
+from itertools import product
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from palmar.models.contact import Contact
+from palmar.models.hand import Hand
+from palmar.models.objects import Object
+from palmar.models.quantity import Coordinate, Point, Real, Unit, Value
+from palmar.models.support import Support
+
+
+class Start(Value):
+    """The nominal start of the object in the hand frame, where a command needs one."""
+
+    at: Annotated[Point, Unit.MILLIMETRE] = (0.0, 0.12)
+    theta: Annotated[Real, Field(ge=-100.0, le=100.0), Unit.DEGREE] = 0.0
+    velocity: Annotated[tuple[Coordinate, Coordinate], Unit.MILLIMETRE_PER_SECOND] = (0.0, 0.0)
+
+
+class SensorLayout(Enum):
+    """Where the hand feels: presets of binary contact sensors."""
+
+    NONE = "none"
+    PALM = "palm"
+    TIPS = "tips"
+    DISTRIBUTED = "distributed"
+    """Each link in three equal stretches, the palm one stretch, no dead zones."""
+    FULL = "full"
+
+
+class Sensors(Value):
+    """Sensor layout, the displacement the object suffers before a bit is seen, and the pose error of the hand."""
+
+    layout: SensorLayout = SensorLayout.NONE
+    displacement: Annotated[Real, Field(ge=0.0, le=1.0), Unit.MILLIMETRE] = 0.0
+    pose_error: Annotated[Real, Field(ge=0.0, le=1.0), Unit.MILLIMETRE] = 0.0
+
+
+class BehaviourName(Enum):
+    """The reflexes and motions that a case can name."""
+
+    CLOSE = "close"
+    """Both fingers close from the open angle at the same rate, kept straight; the hand stands still."""
+
+
+class Behaviour(Value):
+    """What the hand does; its parameters stand beside the name."""
+
+    name: BehaviourName = BehaviourName.CLOSE
+
+
+class Range(Value):
+    """A number known only within limits: its place as (section, field[, index, ...]), and the limits in SI."""
+
+    place: tuple[str | int, ...]
+    low: Real
+    high: Real
+
+
+class Case(Value):
+    """Hand, object and circumstances. Numbers with a range hold its middle; ``corners`` runs over the extremes."""
+
+    hand: Hand
+    object: Object
+    contact: Contact = Contact()
+    support: Support = Support()
+    start: Start = Start()
+    sensors: Sensors = Sensors()
+    behaviour: Behaviour = Behaviour()
+    ranges: tuple[Range, ...] = ()
+
+    def corners(self) -> Iterator[Case]:
+        """Every combination of the ranges' ends, as cases without ranges (just this case if it has none)."""
+        for ends in product(*((each.low, each.high) for each in self.ranges)):
+            data: Any = self.model_dump(exclude={"ranges"})
+            for each, end in zip(self.ranges, ends, strict=True):
+                data = _with(data, each.place, end)
+            yield Case.model_validate(data)
+
+
+def _with(data: Any, place: tuple[str | int, ...], value: float) -> Any:
+    """A copy of nested dicts and tuples with the number at ``place`` replaced."""
+    if not place:
+        return value
+    head, *rest = place
+    if isinstance(data, dict):
+        return {**data, head: _with(data[head], tuple(rest), value)}
+    return tuple(_with(item, tuple(rest), value) if index == head else item for index, item in enumerate(data))

@@ -1,0 +1,176 @@
+"""The case file: TOML in millimetres and degrees on one side, a frozen ``Case`` in SI on the other."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from palmar.errors import InputError
+from palmar.models.case import Behaviour, Case, Range, Sensors, Start
+from palmar.models.contact import Contact
+from palmar.models.explain import explain
+from palmar.models.hand import Hand
+from palmar.models.objects import ConvexPolygon, Disk
+from palmar.models.quantity import Unit, Value, file_key, unit_of
+from palmar.models.support import Support
+
+LARGEST_FILE = 1_000_000
+MOST_RANGES = 6
+
+_SECTIONS: dict[str, type[Value]] = {
+    "hand": Hand, "object": Disk, "contact": Contact, "support": Support,
+    "start": Start, "sensors": Sensors, "behaviour": Behaviour,
+}  # fmt: skip
+_SHAPES: dict[str, type[Value]] = {"disk": Disk, "polygon": ConvexPolygon}
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_RANGE = re.compile(rf"\s*({_NUMBER})\s*\.\.\s*({_NUMBER})\s*")
+
+
+def read_case(path: Path) -> Case:
+    """The case in a TOML file.
+
+    Raises InputError naming file, field, value and what is allowed.
+    """
+    return parse_case(_text(path), str(path))
+
+
+def parse_case(text: str, name: str = "case") -> Case:
+    """The case in a TOML text; ``name`` stands for the file in error messages."""
+    try:
+        raw = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InputError(name, None, f"is not valid TOML: {str(error) or 'nested too deep'}") from None
+    for section in raw:
+        _known(section, _SECTIONS, name, "section")
+    ranges: list[Range] = []
+    parts = {section: _read_section(raw, section, name, ranges) for section in _SECTIONS if section in raw}
+    for section in ("hand", "object"):
+        if section not in parts:
+            raise InputError(f"{name}: [{section}]", None, "is missing, every case needs this section")
+    if len(ranges) > MOST_RANGES:
+        raise InputError(name, f"{len(ranges)} ranges", f"at most {MOST_RANGES} numbers may be ranges")
+    try:
+        case = Case.model_validate({**parts, "ranges": tuple(ranges)})
+        list(case.corners())
+    except ValidationError as error:
+        raise InputError(name, None, f"a range leaves what is allowed: {error.errors()[0]['msg']}") from None
+    return case
+
+
+def dump_case(case: Case) -> str:
+    """TOML text that ``parse_case`` reads back as the same case."""
+    ranges = {each.place: each for each in case.ranges}
+    sections = []
+    for section in _SECTIONS:
+        part: Value = getattr(case, section)
+        lines = [f"[{section}]"]
+        for name, field in type(part).model_fields.items():
+            value = part.model_dump(mode="json")[name]
+            if value is not None:
+                written = _to_file(value, unit_of(field), (section, name), ranges)
+                lines.append(f"{file_key(name, field)} = {json.dumps(written, ensure_ascii=False)}")
+        sections.append("\n".join(lines))
+    return "\n\n".join(sections) + "\n"
+
+
+def _text(path: Path) -> str:
+    try:
+        with path.open("rb") as file:
+            data = file.read(LARGEST_FILE + 1)
+    except OSError as error:
+        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
+    if len(data) > LARGEST_FILE:
+        raise InputError(str(path), None, f"is larger than {LARGEST_FILE} bytes, a case file is a few lines")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
+
+
+def _read_section(raw: dict[str, Any], section: str, name: str, ranges: list[Range]) -> Value:
+    table = raw[section]
+    where = f"{name}: {section}"
+    if not isinstance(table, dict):
+        raise InputError(where, json.dumps(table, default=str)[:60], f"must be a table, [{section}]")
+    model = _SECTIONS[section]
+    if section == "object":
+        shape = table.get("shape", "disk")
+        if not isinstance(shape, str) or shape not in _SHAPES:
+            raise InputError(f"{where}.shape", json.dumps(shape, default=str)[:60], 'must be "disk" or "polygon"')
+        model = _SHAPES[shape]
+    fields = {file_key(field_name, field): (field_name, field) for field_name, field in model.model_fields.items()}
+    data: dict[str, Any] = {}
+    found: list[Range] = []
+    for key, value in table.items():
+        _known(key, fields, where, "key")
+        field_name, field = fields[key]
+        data[field_name] = _to_si(value, unit_of(field), (section, field_name), f"{where}.{key}", found)
+    ranges.extend(found)
+    try:
+        part = model.model_validate(data)
+        for end in ("low", "high"):
+            model.model_validate(_at_end(data, found, end))
+    except ValidationError as error:
+        raise explain(error, model, table, where) from None
+    return part
+
+
+def _at_end(data: dict[str, Any], found: list[Range], end: str) -> dict[str, Any]:
+    """The section's data with every range at its lower or upper end, so that both are validated."""
+    moved = dict(data)
+    for each in found:
+        _, field, *inner = each.place
+        moved[str(field)] = _replaced(moved[str(field)], inner, getattr(each, end))
+    return moved
+
+
+def _replaced(value: Any, inner: list[Any], end: float) -> Any:
+    if not inner:
+        return end
+    return [_replaced(item, inner[1:], end) if i == inner[0] else item for i, item in enumerate(value)]
+
+
+def _to_si(value: Any, unit: Unit | None, place: tuple[str | int, ...], where: str, found: list[Range]) -> Any:
+    """Numbers, and numbers in lists, from the file's unit to SI; anything else is left for the model to refuse."""
+    if isinstance(value, list):
+        return [_to_si(item, unit, (*place, i), f"{where}[{i}]", found) for i, item in enumerate(value)]
+    if isinstance(value, str) and (match := _RANGE.fullmatch(value)):
+        low, high = (_scaled(float(end), unit) for end in match.groups())
+        if not low <= high:
+            raise InputError(where, json.dumps(value), "the lower end of a range comes first")
+        found.append(Range(place=place, low=low, high=high))
+        return 0.5 * (low + high)
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        try:
+            return _scaled(float(value), unit)
+        except OverflowError:
+            return float("inf")
+    return value
+
+
+def _scaled(value: float, unit: Unit | None) -> float:
+    return value if unit is None else unit.to_si(value)
+
+
+def _to_file(value: Any, unit: Unit | None, place: tuple[str | int, ...], ranges: dict[Any, Range]) -> Any:
+    if place in ranges:
+        each = ranges[place]
+        low, high = ((end if unit is None else unit.from_si(end)) for end in (each.low, each.high))
+        return f"{low!r}..{high!r}"
+    if isinstance(value, list | tuple):
+        return [_to_file(item, unit, (*place, i), ranges) for i, item in enumerate(value)]
+    return unit.from_si(value) if unit is not None and isinstance(value, float) else value
+
+
+def _known(key: str, allowed: dict[str, Any], where: str, kind: str) -> None:
+    if key not in allowed:
+        close = difflib.get_close_matches(key, allowed, n=1)
+        hint = f"did you mean {close[0]}?" if close else f"allowed are {', '.join(allowed)}"
+        place = f"{where}{': ' if kind == 'section' else '.'}{key[:60]}"
+        raise InputError(place, None, f"unknown {kind}, {hint}")
