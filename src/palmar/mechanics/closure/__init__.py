@@ -1,0 +1,1 @@
+"""Which disks and polygons a closed hand can hold."""
