@@ -1,0 +1,1 @@
+"""Pre-images: build, combine, shrink and measure them."""

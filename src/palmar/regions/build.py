@@ -1,0 +1,85 @@
+"""From a case to its region: checks what the model covers, asks closure first, and says what was left out."""
+
+from __future__ import annotations
+
+from palmar.errors import NotCoveredError
+from palmar.geometry.planar_set import EMPTY
+from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii
+from palmar.models.case import Case
+from palmar.models.closure import Closure
+from palmar.models.guarantee import Guarantee
+from palmar.models.hand import Fingers
+from palmar.models.objects import Disk
+from palmar.models.support import SupportKind
+from palmar.regions.published_3_3_1 import PublishedSets, published_sets
+from palmar.regions.region import Model, Region
+
+FLATTENING = 1e-5
+"""Default flattening error of curves, as a share of the finger's length."""
+
+
+def published_region(case: Case, closure: Closure = Closure.FRICTIONAL) -> Region:
+    """The source's region for the closing motion on a table (section 3.3.1).
+
+    Raises NotCoveredError for objects other than disks, for free objects, and for numbers given as ranges.
+    """
+    radius = _covered_radius(case)
+    hand = case.hand
+    alpha = case.contact.friction_angle if closure is Closure.FRICTIONAL else 0.0
+    held = _held(case, radius, alpha)
+    tolerance = FLATTENING * hand.finger_length
+    sets = PublishedSets(EMPTY, EMPTY, EMPTY, 0.0)
+    if held:
+        sets = published_sets(hand.half_palm, hand.finger_length, radius, alpha, hand.open, tolerance)
+    reason = None if held else f"no {closure.value} hold of this disk, so no start is caught"
+    if held and sets.centre.is_empty:
+        reason = "the fingers start too far closed for this construction"
+    return Region(
+        model=Model.PUBLISHED,
+        closure=closure,
+        guarantee=Guarantee.CONSTRUCTION,
+        centre=sets.centre,
+        contact=sets.contact,
+        whole=sets.whole,
+        flattening=sets.flattening,
+        reason=reason,
+        notes=_left_out(case, alpha),
+    )
+
+
+def _covered_radius(case: Case) -> float:
+    if not isinstance(case.object, Disk):
+        raise NotCoveredError('object.shape = "polygon": the published region is for disks')
+    if case.support.kind is not SupportKind.TABLE:
+        raise NotCoveredError('support.kind = "free": the published region is for objects on a table')
+    if case.ranges:
+        places = ", ".join(".".join(map(str, each.place)) for each in case.ranges)
+        raise NotCoveredError(f"{places}: the published region takes plain numbers, not ranges")
+    return case.object.radius
+
+
+def _held(case: Case, radius: float, alpha: float) -> bool:
+    """Whether line fingers, kept straight, hold the disk: what the construction presumes."""
+    hand = case.hand
+    if alpha > 0.0:
+        return bool(frictional_radii(hand.half_palm, hand.finger_length, alpha).holds(radius))
+    return bool(structural_radii(hand.half_palm, hand.finger_length).holds(radius))
+
+
+def _left_out(case: Case, alpha: float) -> tuple[str, ...]:
+    """What the construction does not take into account, for this case."""
+    hand = case.hand
+    notes = []
+    if alpha > 0.0:
+        notes.append("with friction some promised starts are lost; the structural region is sound")
+    if len(hand.finger_links) > 1:
+        notes.append(f"the {len(hand.finger_links)} links of a finger are kept straight")
+    if hand.finger_thickness > 0.0:
+        notes.append(f"finger thickness {1e3 * hand.finger_thickness:g} mm is ignored, fingers are lines")
+    if hand.fingers is Fingers.COLLIDING:
+        notes.append("fingers are taken to pass each other")
+    if hand.joint_limits is not None:
+        notes.append("joint limits are ignored")
+    if case.support.pressure_centre != (0.0, 0.0):
+        notes.append("the offset of the centre of pressure is ignored")
+    return tuple(notes)

@@ -1,0 +1,53 @@
+"""A pre-image: where an object may start so that a motion catches it, and how far that is to be trusted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+
+from shapely import MultiPolygon
+
+from palmar.geometry.planar_set import Circle, inscribed_circle
+from palmar.models.closure import Closure
+from palmar.models.guarantee import Guarantee
+
+
+class Model(Enum):
+    """How a region was obtained."""
+
+    PUBLISHED = "published"
+    """The source's construction (section 3.3.1), joined to the axis by a chord."""
+
+
+@dataclass(frozen=True)
+class Region:
+    """Sets in the hand frame (m); all empty, with the reason, where nothing is caught.
+
+    ``centre`` holds the object's centres, ``contact`` the first contact points on the fingers,
+    ``whole`` the entire object. ``flattening`` bounds the distance (m) between curved boundaries and the
+    polygons given, which lie inside them.
+    """
+
+    model: Model
+    closure: Closure
+    guarantee: Guarantee
+    centre: MultiPolygon
+    contact: MultiPolygon
+    whole: MultiPolygon
+    flattening: float
+    reason: str | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def area(self) -> float:
+        """Area (m^2) of the centre region, both halves, valid starts only."""
+        return float(self.centre.area)
+
+    @cached_property
+    def allowed_error(self) -> Circle | None:
+        """Largest circle of object centres, to 1e-4 of the region's size; None for an empty region."""
+        if self.centre.is_empty:
+            return None
+        left, low, right, high = self.centre.bounds
+        return inscribed_circle(self.centre, 1e-4 * max(right - left, high - low))
