@@ -6,10 +6,11 @@
     python3 dev.py lint     style, types and import contracts
     python3 dev.py docs     the documentation, as HTML
     python3 dev.py bench    the benchmarks
+    python3 dev.py validate WHAT   a long hunt: one of validation/*.py, its figures go into docs/results
     python3 dev.py lock     the requirement lock, anew
     python3 dev.py setup    only the environment (.venv); every other command does this by itself
 
-Words after `run`, `test` and `bench` go to the program behind them.
+Words after `run`, `test`, `bench` and `validate` go to the program behind them.
 """
 
 from __future__ import annotations
@@ -44,28 +45,28 @@ def call(*words: str | Path) -> None:
         sys.exit(status)
 
 
-def wanted_stamp() -> str:
-    """What the environment depends on: the lock, the project's own table, and the interpreter."""
-    digest = hashlib.sha256(sys.version.encode())
-    for path in (LOCK, ROOT / "pyproject.toml"):
-        digest.update(path.read_bytes())
-    return digest.hexdigest()
+def fingerprint(*parts: bytes) -> str:
+    return hashlib.sha256(b"\n".join(parts)).hexdigest()
 
 
 def setup() -> None:
     """Make `.venv` hold exactly what the lock says, and the project itself; idempotent."""
-    stamp = wanted_stamp()
-    if STAMP.exists() and STAMP.read_text() == stamp:
+    packages = fingerprint(sys.version.encode(), LOCK.read_bytes())
+    project = fingerprint((ROOT / "pyproject.toml").read_bytes())
+    stamp = f"{packages} {project}"
+    found = STAMP.read_text() if STAMP.exists() else ""
+    if found == stamp:
         return
     if sys.version_info < OLDEST_PYTHON:
         stop(f"needs Python {'.'.join(map(str, OLDEST_PYTHON))} or newer, this is {sys.version.split()[0]}")
     if subprocess.run([sys.executable, "-m", "pip", "--version"], capture_output=True, check=False).returncode:
         stop("needs pip for this python3 (Debian: apt-get install python3-pip)")
-    print("dev.py: preparing .venv, once per change of requirements", file=sys.stderr, flush=True)
-    shutil.rmtree(VENV, ignore_errors=True)
-    venv.create(VENV, with_pip=False, symlinks=os.name != "nt")
     pip = (sys.executable, "-m", "pip", "--python", PYTHON, "install", "-qq", "--disable-pip-version-check")
-    call(*pip, "--require-hashes", "--no-deps", "-r", LOCK)
+    if not found.startswith(packages):
+        print("dev.py: preparing .venv, once per change of requirements", file=sys.stderr, flush=True)
+        shutil.rmtree(VENV, ignore_errors=True)
+        venv.create(VENV, with_pip=False, symlinks=os.name != "nt")
+        call(*pip, "--require-hashes", "--no-deps", "-r", LOCK)
     call(*pip, "--no-deps", "--no-build-isolation", "--editable", ROOT)
     STAMP.write_text(stamp)
 
@@ -95,6 +96,13 @@ def bench(*words: str) -> None:
     call(PYTHON, "-m", "pytest", "benchmarks", "-p", "no:xdist", "-n0", "--benchmark-only", *words)
 
 
+def validate(*words: str) -> None:
+    known = sorted(path.stem for path in (ROOT / "validation").glob("*.py"))
+    if not words or words[0] not in known:
+        stop(f"validate what? One of: {', '.join(known)}")
+    call(PYTHON, f"validation/{words[0]}.py", *words[1:])
+
+
 def lock() -> None:
     groups = [word for group in GROUPS for word in ("--group", group)]
     call(
@@ -103,8 +111,10 @@ def lock() -> None:
     )  # fmt: skip
 
 
-COMMANDS = {"run": run, "test": test, "lint": lint, "docs": docs, "bench": bench, "lock": lock, "setup": None}
-TAKE_WORDS = ("run", "test", "bench")
+COMMANDS = {
+    "run": run, "test": test, "lint": lint, "docs": docs, "bench": bench, "validate": validate, "lock": lock, "setup": None,
+}  # fmt: skip
+TAKE_WORDS = ("run", "test", "bench", "validate")
 
 
 def main(words: list[str]) -> None:

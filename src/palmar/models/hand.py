@@ -90,6 +90,8 @@ class Hand(Value):
             low, high = self.base_limits
             if not low < high or not low <= self.open <= high:
                 raise ValueError("open_deg must lie within the base joint's limits, and these within 0 to 180")
+            if low > 0.5 * pi:
+                raise ValueError("joint_limits_deg must let the base joint open to 90 or less")
             if any(low > 0.0 or high < 0.0 for low, high in self.joint_limits[1:]):
                 raise ValueError("joint_limits_deg of the joints beyond the base must contain 0, the straight finger")
         return self

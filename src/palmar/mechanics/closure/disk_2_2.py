@@ -10,7 +10,8 @@ at the disk's centre. A hold is therefore an interval of psi, and its radii are 
 - structural: e >= 0, so the fingertip must reach the equator, (D - rho)^2 + R^2 <= L^2, and R <= D - h;
 - frictional: e >= -alpha on the palm, |e| <= alpha off it.
 
-The fingers close as far as ``last_angle``: onto the palm, onto each other, or to the joint's limit.
+The fingers close as far as ``last_angle``: onto the palm, onto each other, or to the joint's limit. They are taken to
+open at least to the upright, psi_limits[0] <= pi/2; the sets of held radii are single intervals only then.
 Derived in docs/derivations/closure_disk.md; for h = 0 and crossing fingers these are the equations of the source.
 """
 
@@ -57,14 +58,13 @@ def structural_radii(
         root = np.sqrt(2.0 * length**2 - inner**2)  # equation 2.2
         largest = np.where(inner <= length, inner, 0.5 * (inner + root))
         smallest = np.where(inner <= length, 0.0, 0.5 * (inner - root))
-        first, last = psi_limits[0], last_angle(d, length, h, crossing, psi_limits[1])
+        last = last_angle(d, length, h, crossing, psi_limits[1])
         empty = ~(smallest <= largest) | (largest <= 0.0)
-        if first > 0.5 * pi or np.any(last < pi):
+        if np.any(last < pi):
             at_smallest = np.where(inner <= length, pi, np.arctan2(smallest, smallest - inner))
             at_largest = np.where(inner <= length, 0.5 * pi, np.arctan2(largest, largest - inner))
             smallest = np.where(last < at_smallest, np.fmax(smallest, touched_radius(d, length, h, last)), smallest)
-            largest = np.where(first > at_largest, np.fmin(largest, touched_radius(d, length, h, first)), largest)
-            empty |= ~(smallest <= largest) | (last < at_largest)
+            empty |= ~(smallest <= largest) | (last < at_largest) | (last < psi_limits[0])
     return Radii(np.where(empty, np.nan, smallest), np.where(empty, np.nan, largest))
 
 
@@ -84,7 +84,7 @@ def frictional_radii(
         lower, upper = _on_palm_at_cone_edge(d, length, alpha, h)
         largest = _largest_with_friction(d, length, alpha, h, first, upper)
         smallest = _smallest_with_friction(d, length, alpha, h, last, lower)
-        empty = ~(smallest <= largest) | (largest <= 0.0) | (last < 0.5 * pi - alpha)
+        empty = ~(smallest <= largest) | (largest <= 0.0) | (last < np.maximum(0.5 * pi - alpha, first))
     radii = Radii(np.where(empty, np.nan, smallest), np.where(empty, np.nan, largest))
     no_friction = alpha == 0.0
     if not no_friction.any():
@@ -141,15 +141,15 @@ def _on_palm_at_cone_edge(d: Floats, length: Floats, alpha: Floats, h: Floats) -
 def _largest_with_friction(d: Floats, length: Floats, alpha: Floats, h: Floats, first: float, upper: Floats) -> Floats:
     """Off the palm the tip touches at e = -alpha, the finger leaning out by alpha (equation 2.1); else on the palm."""
     c, s = np.cos(alpha), np.sin(alpha)
-    x, y = d + length * s, length * c
-    on_palm = upper
-    if first > 0.0:
-        psi = np.maximum(0.5 * pi - alpha, first)
-        x, y = d + length * np.cos(psi), length * np.sin(psi)
-        psi_upper = np.arctan2(upper - (upper + h) * s, (upper + h) * c - d)
-        on_palm = np.where(psi_upper < first, np.fmin(upper, touched_radius(d, length, h, first)), upper)
-    rho = x / c
-    return np.where(y + rho * s >= rho - h, rho - h, on_palm)
+    if first <= 0.0:
+        rho = (d + length * s) / c
+        return np.where(length * c + rho * s >= rho - h, rho - h, upper)
+    psi = np.maximum(0.5 * pi - alpha, first)
+    rho = (d + length * np.cos(psi)) / c
+    psi_upper = np.arctan2(upper - (upper + h) * s, (upper + h) * c - d)
+    limited = (psi_upper < first) & (first >= 0.5 * pi - alpha)
+    on_palm = np.where(limited, touched_radius(d, length, h, first), upper)
+    return np.where(length * np.sin(psi) + rho * s >= rho - h, rho - h, on_palm)
 
 
 def _smallest_with_friction(d: Floats, length: Floats, alpha: Floats, h: Floats, last: Floats, lower: Floats) -> Floats:

@@ -19,8 +19,8 @@ from palmar.mechanics.closure.disk_2_2 import Radii, frictional_radii, structura
 
 Floats = NDArray[np.float64]
 
-LONGEST = 1e3
-"""Search reach for a length, in multiples of the sum of all given lengths; beyond it the answer is 'any longer'."""
+SHORTEST, LONGEST = 1e-6, 1e3
+"""Search reach for a length, in multiples of the sum of all given lengths."""
 LARGEST_FRICTION_ANGLE = atan(100.0)
 _GRID = 4001
 _ROUNDING = 1e-12
@@ -63,8 +63,8 @@ class Grip:
 def sufficient(grip: Grip, dimension: Dimension, smallest: float, largest: float) -> list[tuple[float, float]]:
     """Intervals of one dimension (m, or rad for friction) in which every radius of [smallest, largest] is held.
 
-    An end of ``inf`` means: however large (found up to ``LONGEST`` times the lengths given). The value that ``grip``
-    holds for that dimension is ignored. Empty where nothing suffices.
+    Ends of 0 and ``inf`` mean: however small, however large (found from ``SHORTEST`` to ``LONGEST`` times the lengths
+    given). The value that ``grip`` holds for that dimension is ignored. Empty where nothing suffices.
     """
     scale = grip.half_palm + grip.finger_length + grip.half_thickness + largest
 
@@ -78,13 +78,14 @@ def sufficient(grip: Grip, dimension: Dimension, smallest: float, largest: float
         grid = np.linspace(0.0, top, _GRID)
     else:
         top = LONGEST * scale
-        low = max(grip.half_thickness * (1.0 + 1e-9), 1e-6 * scale)
+        low = max(grip.half_thickness * (1.0 + 1e-9), SHORTEST * scale)
         grid = np.geomspace(low, top, _GRID)
     grid = np.unique(np.concatenate([grid, _critical(grip, dimension, smallest, largest, float(grid[0]), top)]))
     found = _intervals(margin, grid)
     if dimension is Dimension.FRICTION_ANGLE:
         return found
-    return [(start, inf if end >= top else end) for start, end in found]
+    bottom = float(grid[0])
+    return [(0.0 if start <= bottom else start, inf if end >= top else end) for start, end in found]
 
 
 def _critical(grip: Grip, dimension: Dimension, smallest: float, largest: float, low: float, top: float) -> Floats:
