@@ -1,0 +1,19 @@
+"""The examples run and print the numbers they promise."""
+
+import runpy
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+PRINTED = {"01_first_answer.py": "97.5 mm off", "02_which_finger.py": "at least 60.21 mm"}
+
+
+def test_every_example_is_pinned():
+    assert sorted(path.name for path in EXAMPLES.glob("[0-9]*.py")) == sorted(PRINTED)
+
+
+@pytest.mark.parametrize("name", PRINTED)
+def test_example(name, capsys):
+    runpy.run_path(str(EXAMPLES / name))
+    assert PRINTED[name] in capsys.readouterr().out
