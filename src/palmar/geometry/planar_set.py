@@ -63,7 +63,7 @@ def coordinates(region: MultiPolygon) -> Coordinates:
 
 
 def inscribed_circle(region: MultiPolygon, tolerance: float) -> Circle:
-    """A largest circle inside a set that is not empty; its radius is exact for its centre and within ``tolerance`` (m) of the largest.
+    """A largest circle inside a set that is not empty; its radius is within ``tolerance`` (m) of the largest.
 
     Where circles tie, one on the y axis is preferred: the sets here are mirror-symmetric.
     """

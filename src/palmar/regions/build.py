@@ -33,7 +33,7 @@ def published_region(case: Case, closure: Closure = Closure.FRICTIONAL) -> Regio
         sets = published_sets(hand.half_palm, hand.finger_length, radius, alpha, hand.open, tolerance)
     reason = None if held else f"no {closure.value} hold of this disk, so no start is caught"
     if held and sets.centre.is_empty:
-        reason = "the fingers start too far closed for this construction"
+        reason = "the construction leaves no start in front of this hand's open fingers"
     return Region(
         model=Model.PUBLISHED,
         closure=closure,

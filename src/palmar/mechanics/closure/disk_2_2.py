@@ -24,6 +24,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+ROUNDING = 1e-14
+"""A smallest radius below this share of the finger's length is 0: tips that meet leave no gap."""
 
 
 @dataclass(frozen=True)
@@ -117,8 +119,8 @@ def touched_radius(half_palm: ArrayLike, finger_length: ArrayLike, half_thicknes
     foot = interior * sine - d * cosine
     x, y = d + length * cosine, length * sine
     tip = (x**2 + y**2 - h**2) / (2.0 * (y + h))
-    radius: Floats = np.maximum(np.where(foot <= length, interior, tip), 0.0)
-    return radius
+    radius = np.where(foot <= length, interior, tip)
+    return np.where(radius > ROUNDING * length, radius, 0.0)
 
 
 def _together(*values: ArrayLike) -> tuple[Floats, ...]:
@@ -155,7 +157,7 @@ def _largest_with_friction(d: Floats, length: Floats, alpha: Floats, h: Floats, 
 def _smallest_with_friction(d: Floats, length: Floats, alpha: Floats, h: Floats, last: Floats, lower: Floats) -> Floats:
     """None between tips that meet, else pinched by tips that stay apart, or on the palm below the tips."""
     x, y = d + length * np.cos(last), length * np.sin(last)
-    pinched = np.maximum(x - h, 0.0)
+    pinched = np.where(x - h > ROUNDING * length, x - h, 0.0)
     reach = length + h
     pointing = (d**2 - reach**2) / (2.0 * reach)  # finger towards the disk's centre (equation 2.4)
     below_cone = alpha < np.arctan2(pointing, d)

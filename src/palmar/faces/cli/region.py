@@ -1,0 +1,57 @@
+"""``palmar region``: from where the motion catches the object."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import App, Parameter
+
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
+from palmar.faces.cli.texts import region_text, titled
+from palmar.faces.records import region_record
+from palmar.models.closure import Closure
+from palmar.models.shipped import open_case
+from palmar.regions.build import published_region
+from palmar.regions.region import Model
+
+app = App(name="region")
+
+
+class Seen(Enum):
+    """From where a region is seen."""
+
+    HAND = "hand"
+    OBJECT = "object"
+
+
+@app.default
+def region(
+    case: CaseName,
+    *,
+    model: Annotated[Model, Parameter(help="How the region is obtained.")] = Model.PUBLISHED,
+    closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
+    seen_from: Annotated[
+        Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
+    ] = Seen.HAND,
+    out: Annotated[Path | None, Parameter(help="Also write a file: svg, pdf, png, dxf, geojson, csv or json.")] = None,
+    json: AsJson = False,
+    check: Check = False,
+) -> None:
+    """Centre, contact and whole region of the closing motion, area and allowed position error."""
+    if out is not None:
+        from palmar.faces.exports.region_file import known_ending
+
+        known_ending(out)
+    name, given = open_case(case)
+    result = published_region(given, closure)
+    assert result.model is model
+    from_object = seen_from is Seen.OBJECT
+    if out is not None:
+        from palmar.faces.exports.region_file import write_region
+
+        write_region(out, given, result, from_object=from_object)
+    written = [f"Written: {out}"] if out is not None else []
+    show(titled(name, given, region_text(result), *written), region_record(result, from_object=from_object), json)
+    answer(not result.centre.is_empty, check)

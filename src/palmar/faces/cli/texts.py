@@ -1,0 +1,47 @@
+"""Whole answers as text for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, slope_row
+from palmar.models.case import Case
+from palmar.regions.region import Region
+from palmar.studies.closure import ClosureAnswer
+
+
+def closure_text(case: Case, result: ClosureAnswer) -> str:
+    """The answer of `palmar closure CASE`."""
+    lines = [table(closure_rows(case, result)), "", f"This object: {result.object.reason}."]
+    if result.changes:
+        lines += ["", "One of these changes alone would do:", *(f"  {change_line(each)}" for each in result.changes)]
+    if result.slopes:
+        heads = ("How the limits move", "largest radius", "smallest radius")
+        lines += ["", table([heads, *(slope_row(each) for each in result.slopes)])]
+    return "\n".join(lines + notes(result.notes))
+
+
+def region_text(region: Region) -> str:
+    """The answer of `palmar region CASE`."""
+    if region.reason is not None:
+        lines = [f"Nothing is caught ({region.closure.value}): {region.reason}."]
+    else:
+        lines = [table(region_rows(region))]
+    return "\n".join(lines + notes(region.notes))
+
+
+def titled(name: str, case: Case, *parts: str) -> str:
+    """The headline and the parts, with blank lines between."""
+    return "\n\n".join([headline(name, case), *parts])
+
+
+def notes(texts: tuple[str, ...]) -> list[str]:
+    """Notes as lines, after a blank one."""
+    return ["", *(f"Note: {each}." for each in texts)] if texts else []
+
+
+def table(rows: Sequence[Row]) -> str:
+    """Rows of text in columns, two spaces apart; the last column is not padded."""
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]) - 1)]
+    padded = ([*(f"{cell:<{width}}" for cell, width in zip(row[:-1], widths, strict=True)), row[-1]] for row in rows)
+    return "\n".join("  ".join(row) for row in padded)

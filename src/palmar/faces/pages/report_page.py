@@ -1,0 +1,96 @@
+"""The report of one case as one self-contained HTML page: pictures inside, no request leaves it."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Iterable
+from html import escape
+from importlib import resources
+from importlib.metadata import version
+
+from matplotlib.figure import Figure
+
+from palmar.faces.plots.closure_picture import closure_picture
+from palmar.faces.plots.region_picture import region_pictures
+from palmar.faces.plots.style import encoded
+from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, slope_row
+from palmar.models.case_file import dump_case
+from palmar.regions.region import Region
+from palmar.studies.report import Report
+
+
+def report_page(report: Report) -> str:
+    """The page's HTML."""
+    title = headline(report.name, report.case)
+    style = resources.files("palmar.faces.pages").joinpath("report.css").read_text(encoding="utf-8")
+    body = [f"<h1>{escape(title)}</h1>", *_closure(report), *_regions(report), *_input(report)]
+    return "\n".join(
+        [
+            '<!doctype html><html lang="en"><head><meta charset="utf-8">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f"<title>{escape(report.name)} - palmar</title><style>{style}</style></head><body><main>",
+            *body,
+            f"<footer>palmar {escape(version('palmar'))}</footer></main></body></html>",
+        ]
+    )
+
+
+def _closure(report: Report) -> list[str]:
+    result = report.closure
+    parts = ["<h2>Can the hand hold it?</h2>", f'<p class="answer">{escape(_sentence(result.object.reason))}</p>']
+    parts += [_table(("", "radii", "verdict"), closure_rows(report.case, result))]
+    parts += [_picture(closure_picture(report.case, result), "Hand with the smallest and the largest disk it holds")]
+    if result.changes:
+        parts += ["<h3>What would have to change</h3>", _list(change_line(each) for each in result.changes)]
+    if result.slopes:
+        parts += ["<h3>How the limits move</h3>"]
+        parts += [_table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
+    return parts + _notes(result.notes)
+
+
+def _regions(report: Report) -> list[str]:
+    parts = ["<h2>From where does closing catch it?</h2>"]
+    if report.uncovered is not None:
+        return [*parts, f"<p>No region: {escape(_sentence(report.uncovered))}</p>"]
+    caught = [each for each in report.regions if each.reason is None]
+    parts += [f"<p>Nothing is caught: {escape(_sentence(each.reason))}</p>" for each in report.regions if each.reason]
+    if not caught:
+        return parts
+    parts.append(_picture(region_pictures(report.case, caught), "Regions from which the closing motion catches it"))
+    columns = [region_rows(each) for each in caught]
+    rows = [(cells[0][0], *(value for _, value in cells)) for cells in zip(*columns, strict=True)]
+    parts.append(_table(("", *(each.closure.value for each in caught)), rows))
+    return parts + _notes(_distinct(caught))
+
+
+def _input(report: Report) -> list[str]:
+    return ["<h2>The case</h2>", f"<pre>{escape(dump_case(report.case))}</pre>"]
+
+
+def _distinct(regions: list[Region]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(note for region in regions for note in region.notes))
+
+
+def _sentence(text: str) -> str:
+    return f"{text[0].upper()}{text[1:]}."
+
+
+def _notes(texts: tuple[str, ...]) -> list[str]:
+    return (
+        [f'<ul class="notes">{"".join(f"<li>{escape(_sentence(each))}</li>" for each in texts)}</ul>'] if texts else []
+    )
+
+
+def _list(texts: Iterable[str]) -> str:
+    return f"<ul>{''.join(f'<li>{escape(each)}</li>' for each in texts)}</ul>"
+
+
+def _table(heads: Row, rows: list[Row]) -> str:
+    top = "".join(f"<th>{escape(each)}</th>" for each in heads)
+    body = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
+    return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
+
+
+def _picture(figure: Figure, description: str) -> str:
+    data = base64.b64encode(encoded(figure)).decode("ascii")
+    return f'<figure><img alt="{escape(description)}" src="data:image/svg+xml;base64,{data}"></figure>'

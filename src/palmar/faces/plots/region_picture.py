@@ -1,0 +1,191 @@
+"""From where a motion catches the object, drawn: the open hand, the bands of the pre-image and the error they allow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import radians
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from shapely import MultiPolygon, box
+
+from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
+from palmar.faces.plots.dimensions import dimension, note, radius_dimension, text_fits
+from palmar.faces.plots.hand import draw_hand, draw_object, finger_points
+from palmar.faces.plots.lettering import line_height, millimetres, square_millimetres, wrapped
+from palmar.faces.plots.sheet import MARGIN, MM, Extent, Pad, Room, Sheet, per_paper_mm, sheet
+from palmar.faces.plots.style import FINE, HEADING_SIZE, SMALL_SIZE, TEXT_SIZE, Role
+from palmar.geometry.planar_set import Circle, areal, inscribed_circle
+from palmar.geometry.planar_set import seen_from_object as from_object
+from palmar.models.case import Case
+from palmar.models.closure import Closure
+from palmar.models.hand import Hand
+from palmar.models.objects import Disk, Object
+from palmar.regions.region import Region
+
+Place = tuple[float, float]
+
+WHOLE = Band(Role.WHOLE, "whole region: all of the object starts inside", 0.0, dashes=(0, (1, 1.2)))
+CENTRE = Band(Role.CENTRE, "centre region: the object's centre starts inside", 1.0)
+CONTACT = Band(Role.CONTACT, "contact region: first contacts lie inside", 2.0, filled=False, dashes=(0, (4, 1.5)))
+ERROR = Band(Role.LARGEST, "allowed error: the largest circle in the centre region", 3.0, filled=False)
+PALM = Band(Role.CENTRE, "the middle of the palm starts inside", 1.0)
+PALM_ERROR = replace(ERROR, words="allowed error: the largest circle in that region")
+
+FACTS = 54.0
+"""Width (mm) of the column of facts beside each panel."""
+ROOM = Room(Pad(3.0, 11.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, FACTS, 0.0))
+FAIR = radians(15.0)
+ALONG = radians(50.0)
+
+
+@dataclass(frozen=True)
+class _Scene:
+    """A region in the frame it is drawn in: where hand and object stand (m), the sets, the allowed error."""
+
+    hand_at: Place
+    object_at: Place | None
+    sets: tuple[tuple[MultiPolygon, Band], ...]
+    allowed: Circle | None
+
+
+def region_picture(
+    case: Case, region: Region, *, seen_from_object: bool = False, object_at: Place | None = None
+) -> Figure:
+    """One region; ``object_at`` (m, hand frame) is where the object is drawn, a valid start where not given."""
+    return region_pictures(case, [region], seen_from_object=seen_from_object, object_at=object_at)
+
+
+def region_pictures(
+    case: Case, regions: Sequence[Region], *, seen_from_object: bool = False, object_at: Place | None = None
+) -> Figure:
+    """Regions of one case, one below the other at one scale, each with its facts beside it.
+
+    In the hand's frame; or, seen from the object, where around it the middle of the palm may be. An empty region says
+    why nothing is caught.
+    """
+    scenes = [_scene(case, each, seen_from_object, object_at) for each in regions]
+    bands = [PALM, PALM_ERROR] if seen_from_object else [WHOLE, CENTRE, CONTACT, ERROR]
+    if not any(each.allowed for each in scenes):
+        bands = []
+    sides = replace(ROOM.sides, bottom=LEGEND_ROW * ((len(bands) + 1) // 2) + 2.0)
+    beside = 3.0 if case.hand.open < FAIR or seen_from_object else 10.0
+    room = replace(ROOM, sides=sides, inside=replace(ROOM.inside, left=beside, right=beside))
+    notes = dict.fromkeys(f"{each[0].upper()}{each[1:]}." for region in regions for each in region.notes)
+    title = "Where the hand may start" if seen_from_object else "Where the object may start"
+    extents = [[_extent(case, each)] for each in scenes]
+    page = sheet(extents, title=f"{title} for closing to catch it", footer=" ".join(notes), room=room)
+    for region, scene, (axes,) in zip(regions, scenes, page.panels, strict=True):
+        _draw(axes, case, scene)
+        _facts(page, axes, case, region)
+    legend(page, (MARGIN, page.box(page.panels[-1][0]).bottom - ROOM.outside.bottom), bands)
+    return page.figure
+
+
+def _scene(case: Case, region: Region, reversed_view: bool, object_at: Place | None) -> _Scene:
+    if not reversed_view:
+        at = object_at or _valid_start(region)
+        sets = ((region.whole, WHOLE), (region.centre, CENTRE), (region.contact, CONTACT))
+        return _Scene((0.0, 0.0), at, sets, region.allowed_error)
+    allowed = region.allowed_error
+    turned = None if allowed is None else Circle((-allowed.centre[0], -allowed.centre[1]), allowed.radius)
+    x, y = object_at or (allowed.centre if allowed else (0.0, case.hand.finger_length))
+    return _Scene((-x, -y), (0.0, 0.0), ((from_object(region.centre), PALM),), turned)
+
+
+def _valid_start(region: Region) -> Place | None:
+    """A start well inside the centre region, beside the circle of allowed error."""
+    circle = region.allowed_error
+    if circle is None:
+        return None
+    left, _, _, top = region.centre.bounds
+    beside = areal(region.centre.intersection(box(left, 0.0, circle.centre[0] - circle.radius, top)))
+    if beside.is_empty:
+        return circle.centre
+    found = inscribed_circle(beside, 0.01 * circle.radius)
+    return circle.centre if found is None else found.centre
+
+
+def _extent(case: Case, scene: _Scene) -> Extent:
+    hand, (x, y) = case.hand, scene.hand_at
+    points = np.abs(finger_points(hand, (hand.open,)))
+    side, top = points.max(axis=0) + hand.half_thickness
+    extent = Extent(x - side, y - hand.half_thickness, x + side, y + top)
+    for area, _ in scene.sets:
+        extent = extent if area.is_empty else extent.joined(Extent(*area.bounds))
+    size = _size(case.object)
+    at = scene.object_at or (0.0, size)
+    return extent.joined(Extent(at[0] - size, at[1] - size, at[0] + size, at[1] + size))
+
+
+def _size(item: Object) -> float:
+    """Distance (m) of the object's farthest point from its frame's origin."""
+    return item.radius if isinstance(item, Disk) else float(np.linalg.norm(item.vertices, axis=1).max())
+
+
+def _draw(axes: Axes, case: Case, scene: _Scene) -> None:
+    _millimetre_ticks(axes)
+    for area, band in scene.sets:
+        draw_area(axes, area, band)
+    size = _size(case.object)
+    draw_object(axes, case.object, scene.object_at or (0.0, size), case.start.theta, fill=0.6)
+    draw_hand(axes, case.hand, case.hand.open, at=scene.hand_at)
+    if scene.allowed is not None:
+        circle = scene.allowed
+        draw_object(axes, Disk(radius=circle.radius), circle.centre, role=ERROR.role, fill=0.0)
+        radius_dimension(axes, circle.centre, circle.radius, ALONG, role=ERROR.role)
+    if scene.hand_at == (0.0, 0.0):
+        _hand_dimensions(axes, case.hand)
+
+
+def _hand_dimensions(axes: Axes, hand: Hand) -> None:
+    """Palm width and finger length as dimensions, or in words below a hand that is too small on paper for them."""
+    gap = 5.0 + MM * hand.half_thickness / per_paper_mm(axes)
+    palm, finger = millimetres(hand.palm_width), millimetres(hand.finger_length)
+    if not text_fits(axes, hand.palm_width, palm) and not text_fits(axes, hand.finger_length, finger):
+        note(axes, (0.0, -gap * per_paper_mm(axes) / MM), f"palm {palm}, finger {finger}", role=Role.DIMENSION)
+        return
+    base, *_, tip = finger_points(hand, (hand.open,))
+    dimension(axes, (-hand.half_palm, 0.0), (hand.half_palm, 0.0), palm, -gap)
+    dimension(axes, tuple(base), tuple(tip), finger, -gap)
+
+
+def _millimetre_ticks(axes: Axes) -> None:
+    axes.set_axis_on()
+    for axis, name in ((axes.xaxis, "x (mm)"), (axes.yaxis, "y (mm)")):
+        axis.set_major_locator(MaxNLocator(nbins=7, steps=[1, 2, 5, 10]))
+        axis.set_label_text(name, fontsize=SMALL_SIZE, color=Role.DIMENSION.line)
+    axes.tick_params(
+        labelsize=SMALL_SIZE, width=FINE, color=Role.DIMENSION.line, labelcolor=Role.DIMENSION.line, length=2.5
+    )
+    axes.ticklabel_format(style="plain", useOffset=False)
+    for spine in axes.spines.values():
+        spine.set(color=Role.DIMENSION.line, linewidth=FINE)
+
+
+def _facts(page: Sheet, axes: Axes, case: Case, region: Region) -> None:
+    """Closure, allowed error, area and guarantee, in the column beside the panel."""
+    box_on_paper = page.box(axes)
+    x, y = box_on_paper.right + 5.0, box_on_paper.top - 1.0
+    how = "Without friction"
+    if region.closure is Closure.FRICTIONAL and case.contact.friction > 0.0:
+        how = f"With friction {case.contact.friction:.3g}"
+    circle = region.allowed_error
+    facts = [("", how, Role.CAPTION)]
+    if circle is None:
+        facts.append(("nothing is caught", f"{region.reason}", Role.LOST))
+    else:
+        facts.append(("allowed error", f"{millimetres(circle.radius)} in every direction", ERROR.role))
+        facts.append(("area of the centre region", square_millimetres(region.area), Role.CENTRE))
+    facts.append((f"{region.model.value} model", region.guarantee.meaning, Role.CAPTION))
+    for name, value, role in facts:
+        if name:
+            page.write((x, y), name, size=SMALL_SIZE, role=Role.DIMENSION, upright="top")
+            y -= line_height(SMALL_SIZE)
+        size = TEXT_SIZE if name else HEADING_SIZE
+        text = wrapped(value, FACTS - 7.0, size, bold=role is not Role.CAPTION or not name)
+        page.write((x, y), text, size=size, role=role, bold=role is not Role.CAPTION or not name, upright="top")
+        y -= (text.count("\n") + 1) * line_height(size) + 2.0

@@ -1,0 +1,95 @@
+"""Results as the JSON records of the command line: SI units and radians, None where there is nothing."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from palmar.geometry.planar_set import Circle, coordinates, seen_from_object
+from palmar.mechanics.closure.sizing import Dimension
+from palmar.regions.region import Region
+from palmar.studies.closure import ClosureAnswer, RadiusRange
+from palmar.studies.sizing import Sizing
+
+_NAMES = {
+    Dimension.HALF_PALM: "palm_width",
+    Dimension.FINGER_LENGTH: "finger_length",
+    Dimension.FRICTION_ANGLE: "friction",
+}
+
+
+def finite(value: Any) -> Any:
+    """The same nested value with None for every number that JSON does not know."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: finite(each) for key, each in value.items()}
+    return [finite(each) for each in value] if isinstance(value, list | tuple) else value
+
+
+def closure_record(result: ClosureAnswer) -> dict[str, Any]:
+    """`palmar closure CASE --json`."""
+    return {
+        "structural": _range(result.structural),
+        "frictional": _range(result.frictional),
+        "object": {
+            "structural": result.object.structural,
+            "frictional": result.object.frictional,
+            "reason": result.object.reason,
+            **({} if result.polygon is None else {"polygon": result.polygon.record()}),
+        },
+        "changes": [
+            {"closure": each.closure.value, "dimension": _NAMES[each.dimension], "now": each.now, "to": each.to}
+            for each in result.changes
+        ],
+        "slopes": [
+            {
+                "closure": each.closure.value,
+                "dimension": _NAMES[each.dimension],
+                "radius_min": list(each.radius_min),
+                "radius_max": list(each.radius_max),
+            }
+            for each in result.slopes
+        ],
+        "notes": list(result.notes),
+    }
+
+
+def sizing_record(result: Sizing) -> dict[str, Any]:
+    """`palmar closure size --json`; an end of null means however large."""
+    return {
+        "sought": _NAMES[result.sought],
+        "radius_min_m": result.radius_min,
+        "radius_max_m": result.radius_max,
+        "intervals_m": [list(each) for each in result.intervals],
+        "reason": result.reason or None,
+    }
+
+
+def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any]:
+    """`palmar region CASE --json`; with ``from_object`` the sets hold hand positions relative to the object."""
+    sets = {"centre": region.centre, "contact": region.contact, "whole": region.whole}
+    view = seen_from_object if from_object else (lambda given: given)
+    return {
+        "model": region.model.value,
+        "closure": region.closure.value,
+        "guarantee": region.guarantee.value,
+        "frame": "object" if from_object else "hand",
+        **{name: coordinates(view(each)) for name, each in sets.items()},
+        "area_m2": region.area,
+        "allowed_error": _circle(region.allowed_error, from_object),
+        "flattening_m": region.flattening,
+        "reason": region.reason,
+        "notes": list(region.notes),
+    }
+
+
+def _range(radii: RadiusRange | None) -> dict[str, float] | None:
+    return None if radii is None else {"radius_min_m": radii.radius_min, "radius_max_m": radii.radius_max}
+
+
+def _circle(circle: Circle | None, from_object: bool) -> dict[str, Any]:
+    if circle is None:
+        return {"centre_m": None, "radius_m": 0.0}
+    sign = -1.0 if from_object else 1.0
+    return {"centre_m": [sign * each for each in circle.centre], "radius_m": circle.radius}

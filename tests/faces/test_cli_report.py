@@ -1,0 +1,51 @@
+"""`palmar report`, `palmar cases`, `palmar figures`: pages and lists."""
+
+import re
+
+import pytest
+
+from palmar.models.case_file import parse_case
+from palmar.models.shipped import shipped_names
+
+
+@pytest.mark.parametrize("name", shipped_names())
+def test_every_shipped_case_gives_one_self_contained_page(palmar, tmp_path, name):
+    answer = palmar("report", name, "--out", tmp_path / "deep" / "folder")
+    assert answer.status == 0
+    (page,) = (tmp_path / "deep" / "folder").iterdir()
+    assert page.name == f"{name}.html"
+    html = page.read_text(encoding="utf-8")
+    assert 'src="data:image/svg+xml;base64,' in html
+    assert not re.search(r"""(?:src|href)=["'](?!data:)""", html)
+    assert "palmar: pictures" in answer.err
+    assert "radii held without friction" in answer.out
+    assert "None" not in answer.out
+    assert "nan" not in answer.out
+
+
+def test_the_report_as_json(palmar, tmp_path):
+    record = palmar("report", "testbed_table", "--out", tmp_path, "--json").record
+    assert record["closure"]["structural"]["radius_max_m"] == pytest.approx(0.06)
+    assert [each["closure"] for each in record["regions"]] == ["structural", "frictional"]
+    assert record["page"].endswith("testbed_table.html")
+
+
+def test_a_folder_that_cannot_be_made_is_one_line(palmar, tmp_path):
+    (tmp_path / "file").write_text("")
+    answer = palmar("report", "testbed_table", "--out", tmp_path / "file")
+    assert answer.status == 2
+    assert answer.err.splitlines()[-1].startswith("palmar: ")
+    assert "cannot be made" in answer.err
+
+
+def test_cases_are_listed_and_printed(palmar):
+    listed = palmar("cases", "--json").record["cases"]
+    assert [each["name"] for each in listed] == shipped_names()
+    assert parse_case(palmar("cases", "testbed_free").out).support.kind.value == "free"
+    assert palmar("cases", "nope").status == 2
+
+
+def test_the_sources_figures_are_drawn(palmar, tmp_path):
+    files = palmar("figures", "--out", tmp_path, "--json").record["files"]
+    numbers = {re.search(r"(\d_\d)", name).group(1) for name in files}
+    assert numbers == {"2_1", "2_2", "2_3", "2_4", "2_5", "2_6", "2_7", "2_8", "3_2", "3_3"}
