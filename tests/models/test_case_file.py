@@ -130,7 +130,7 @@ WRONG = {
     "": "[hand]: is missing",
     "[hand]\n": "hand.palm_width_mm: is missing",
     "hand = 3": "hand = 3: must be a table",
-    SMALLEST.replace("120", "-5"): "hand.palm_width_mm = -5: must be greater than 0 mm",
+    SMALLEST.replace("120", "-5"): "hand.palm_width_mm = -5: must be at least 1e-06 mm",
     SMALLEST.replace("120", "2e6"): "hand.palm_width_mm = 2000000.0: must be at most 1e+06 mm",
     SMALLEST.replace("120", '"a"'): 'hand.palm_width_mm = "a": must be a number in mm',
     SMALLEST.replace("38", "nan"): "object.radius_mm = NaN: must be a finite number",

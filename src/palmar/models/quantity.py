@@ -13,8 +13,8 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, Strict
 from pydantic.fields import FieldInfo
 
-LARGEST_LENGTH = 1000.0
-"""Upper bound of every length (m): beyond it an input is a slip of units, not a hand."""
+SMALLEST_LENGTH, LARGEST_LENGTH = 1e-9, 1000.0
+"""Bounds of every length (m): beyond them an input is a slip of units, not a hand."""
 
 
 class Unit(Enum):
@@ -53,7 +53,7 @@ def file_key(name: str, field: FieldInfo) -> str:
 
 Real = Annotated[float, Strict()]
 """A finite real number; text and booleans are not numbers."""
-Length = Annotated[Real, Field(gt=0.0, le=LARGEST_LENGTH)]
+Length = Annotated[Real, Field(ge=SMALLEST_LENGTH, le=LARGEST_LENGTH)]
 Coordinate = Annotated[Real, Field(ge=-LARGEST_LENGTH, le=LARGEST_LENGTH)]
 Point = tuple[Coordinate, Coordinate]
 
