@@ -111,7 +111,8 @@ def _corner(case: Case) -> _Corner:
     structural, frictional = _range(plain.radii()), _range(rough.radii())
     if isinstance(case.object, ConvexPolygon):
         polygon = polygon_closure(case, plain.radii(), rough.radii())
-        return _Corner(structural, frictional, Verdict(polygon.structural, polygon.frictional, polygon.reason), polygon)
+        verdict = Verdict(polygon.structural.every, polygon.frictional.every, polygon.reason)
+        return _Corner(structural, frictional, verdict, polygon)
     radius = case.object.radius
     holds = [bool(each.radii().holds(radius)) for each in (plain, rough)]
     return _Corner(structural, frictional, Verdict(holds[0], holds[1], disk_reason(plain, rough, radius)), None)
@@ -192,5 +193,9 @@ def _notes(case: Case) -> Iterator[str]:
         yield f"fingers are {1e3 * case.hand.finger_thickness:g} mm thick with round tips, the palm is a line"
     if case.hand.fingers is Fingers.COLLIDING:
         yield "fingers lie in one plane and stop where they meet"
+    if isinstance(case.object, ConvexPolygon):
+        yield "polygons are balanced against translation at a fixed orientation; whether one could turn is not asked"
+        if case.hand.fingers is Fingers.COLLIDING or case.hand.joint_limits is not None:
+            yield "orientations of a polygon are found for crossing fingers without joint limits"
     if case.ranges:
         yield "what is reported holds over the whole of the given ranges"

@@ -62,7 +62,11 @@ def closure_picture(case: Case, answer: ClosureAnswer) -> Figure:
             _draw(axes, case.hand, view, extent, row.grip.friction_angle or 0.0)
     _hand_dimensions(case.hand, views, page)
     if polygon is not None:
-        tests = [CircleTest(row.heading, row.radii, row.held) for row in rows]
+        known = () if answer.polygon is None else (answer.polygon.structural, answer.polygon.frictional)
+        tests = [
+            CircleTest(row.heading, row.radii, row.held, [(float(start), float(end)) for start, end in found.held])
+            for row, found in zip(rows, known, strict=False)
+        ]
         draw_circle_tests(page, page.box(page.panels[-1][0]).bottom, polygon, tests)
     return page.figure
 
