@@ -55,7 +55,7 @@ def contains(intervals: IntervalArray, orientations: Floats) -> Bools:
     angle = np.mod(orientations, FULL_TURN)[:, None]
     once = (angle >= intervals[:, 0]) & (angle <= intervals[:, 1])
     wrapped = angle + FULL_TURN <= intervals[:, 1]
-    inside: Bools = (once | wrapped).any(axis=1)
+    inside: Bools = np.logical_or.reduce(once | wrapped, axis=1)
     return inside
 
 

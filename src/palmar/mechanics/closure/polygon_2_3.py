@@ -52,4 +52,4 @@ def inscribed_radius(vertices: NDArray[np.float64]) -> float:
     table = np.column_stack([normals, np.ones(len(normals))])
     bounds = [(None, None), (None, None), (0.0, None)]
     found = linprog([0.0, 0.0, -1.0], A_ub=table, b_ub=heights, bounds=bounds, method="highs")
-    return size * float(found.x[2])
+    return size * float(np.asarray(found.x)[2])

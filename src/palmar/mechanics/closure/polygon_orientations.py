@@ -4,8 +4,8 @@ The polygon keeps its orientation theta and is free to slide; both fingers stand
 fully open until they squeeze it, either resting on the palm or held at any height above it. A grasp exists if the contact
 forces can then balance. That is closure against translation only: whether the polygon could turn is another question.
 
-- structural: on the palm, and the three contact normals positively span the plane: e_R + e_L > 0 (two tips on parallel
-  edges only balance, the polygon slides out between them);
+- structural: on the palm, and the three contact normals positively span the plane: e_R + e_L > 0 (two tips on
+  parallel edges only balance, the polygon slides out between them);
 - frictional at friction angle alpha: on the palm, or pinched at some height above it, with forces in the friction cones.
 
 Limits of friction count as held. A finger that touches first with its tip at a corner may push along every normal of the corner.

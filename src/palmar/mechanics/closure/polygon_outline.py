@@ -59,7 +59,8 @@ class Views:
     def stepped(self, steps: Indices | int) -> Indices:
         """Corner that lies ``steps`` after the lowest one, counter-clockwise."""
         offset = np.where(self.mirrored, self.count, 0)
-        return offset + (self.bottom - offset + steps) % self.count
+        corner: Indices = offset + (self.bottom - offset + steps) % self.count
+        return corner
 
     def support(self, elevation: Floats) -> Indices:
         """Corner that is extreme in the direction of this elevation; of two, the lower one."""

@@ -14,18 +14,15 @@ docs/derivations/polygons.md:
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from palmar.mechanics.closure.polygon_friction import friction_needed
 from palmar.mechanics.closure.polygon_outline import RIGHT_ANGLE, Bools, Floats, Indices
-from palmar.mechanics.closure.polygon_squeeze import ANGLE_ROUNDING, Bout, squeeze, touch
+from palmar.mechanics.closure.polygon_squeeze import ANGLE_ROUNDING, Bout, halved, squeeze, touch
 
 ANGLE_TOLERANCE = 1e-10
 """Friction angles (rad) that differ by less count as equal: the limit counts as held."""
 NARROWEST = 1e-13
-HALVINGS = 50
 NODES = 49
 """Finger angles beyond 90 deg at which the crest is looked at."""
 
@@ -59,16 +56,6 @@ def reach(at: Bout, psi: Floats, alpha: Floats) -> Floats:
     return np.where(steepest < -alpha - ANGLE_ROUNDING, np.inf, needed)
 
 
-def halved(holds: Callable[[Floats], Bools], low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Ends of a tiny bracket in each [low, high] around the place where a condition passes from true to false."""
-    low, high = low.copy(), high.copy()
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        true = holds(middle)
-        low, high = np.where(true, middle, low), np.where(true, high, middle)
-    return low, high
-
-
 def first_good(at: Bout, alpha: Floats, low: Floats, high: Floats, any_will_do: bool = False) -> Floats:
     """First finger angle in [low, high] (rad) with a good posture that leaves room; inf where there is none.
 
@@ -76,33 +63,46 @@ def first_good(at: Bout, alpha: Floats, low: Floats, high: Floats, any_will_do: 
     one side of the hand the term of the play is largest at an end of an interval of angles and of one of lifts.
     """
     found = np.full(at.size, np.inf)
-    item, a, b = np.arange(at.size), low, high
+    item, a, b, lift_a, lift_b = np.arange(at.size), low, high, highest_good(at, alpha, low), highest_good(at, alpha, high)
+    for psi, lift in ((a, lift_a), (b, lift_b)):
+        good = _has_room(at, psi, lift)
+        found[good] = np.minimum(found[good], psi[good])
     while len(item):
-        here = at.at(item)
-        lifts = [at.finger_length * np.sin(psi) - reach(here, psi, alpha[item]) for psi in (a, b)]
-        for psi, lift in zip((a, b), lifts, strict=True):
-            good = lift >= -at.room
-            good[good] = touch(here.at(good), psi[good], np.maximum(lift[good], 0.0)).play >= -at.room
-            np.minimum.at(found, item[good], psi[good])
-        open_ = np.isinf(found[item]) if any_will_do else a < found[item]
-        open_ &= b - a > NARROWEST
-        open_[open_] = _could_be_good(here.at(open_), a[open_], b[open_], lifts[0][open_], lifts[1][open_])
-        middle = 0.5 * (a + b)[open_]
-        item, a, b = np.tile(item[open_], 2), np.concatenate([a[open_], middle]), np.concatenate([middle, b[open_]])
+        open_ = (np.isinf(found[item]) if any_will_do else a < found[item]) & (b - a > NARROWEST)
+        open_[open_] = _could_have_room(at.at(item[open_]), a[open_], b[open_], lift_a[open_], lift_b[open_])
+        item, a, b, lift_a, lift_b = item[open_], a[open_], b[open_], lift_a[open_], lift_b[open_]
+        here, middle = at.at(item), 0.5 * (a + b)
+        lift = highest_good(here, alpha[item], middle)
+        good = _has_room(here, middle, lift)
+        np.minimum.at(found, item[good], middle[good])
+        item, a, b = np.tile(item, 2), np.concatenate([a, middle]), np.concatenate([middle, b])
+        lift_a, lift_b = np.concatenate([lift_a, lift]), np.concatenate([lift, lift_b])
     return found
 
 
-def _could_be_good(at: Bout, a: Floats, b: Floats, lift_a: Floats, lift_b: Floats) -> Bools:
-    """Whether a bound leaves open that a good posture between two angles leaves room."""
+def highest_good(at: Bout, alpha: Floats, psi: Floats) -> Floats:
+    """Greatest lift (m) at which the fingers at psi are in a good posture, -inf where none is."""
+    highest: Floats = at.finger_length * np.sin(psi) - reach(at, psi, alpha)
+    return highest
+
+
+def _has_room(at: Bout, psi: Floats, lift: Floats) -> Bools:
+    """Whether the lift is not below the palm and leaves room."""
+    room = lift >= -at.room
+    room[room] = touch(at.at(room), psi[room], np.maximum(lift[room], 0.0)).play >= -at.room
+    return room
+
+
+def _could_have_room(at: Bout, a: Floats, b: Floats, lift_a: Floats, lift_b: Floats) -> Bools:
+    """Whether a bound leaves open that the highest good posture somewhere between two angles has room."""
     change = at.finger_length * (np.sin(b) - np.sin(a))  # the staircase only falls, the tips rise before 90 deg
-    highest = np.maximum(lift_b, lift_b - change)
-    lowest = np.clip(
-        np.where(np.isfinite(lift_a), np.minimum(lift_a, lift_a + change), 0.0), 0.0, np.maximum(highest, 0.0)
-    )
+    highest = np.maximum(np.maximum(lift_b, lift_b - change), -1.0)
+    lowest = np.clip(np.minimum(lift_a, lift_a + change), 0.0, np.maximum(highest, 0.0))
     could = highest >= -at.room
-    here, picks = at.at(could), [(psi[could], lift[could]) for psi in (a, b) for lift in (lowest, highest)]
-    terms = [touch(here, psi, np.maximum(lift, 0.0)).terms for psi, lift in picks]
-    could[could] = np.max(terms, axis=0).sum(axis=0) >= -at.room
+    some = np.flatnonzero(could)
+    lifts = np.maximum(np.concatenate([lowest[some], highest[some]]), 0.0)
+    terms = touch(at.at(np.tile(some, 4)), np.repeat([a[some], b[some]], 2, axis=0).ravel(), np.tile(lifts, 2)).terms
+    could[some] = terms.reshape(2, 4, len(some)).max(axis=1).sum(axis=0) >= -at.room
     return could
 
 
@@ -134,12 +134,14 @@ def _held(at: Bout, alpha: Floats, lift: Floats) -> Bools:
 
 def _held_at_later_crest(at: Bout, alpha: Floats) -> Bools:
     """Tries the crest wherever it comes to lie under the staircase, at the nodes there, and above each former crest."""
+    if at.size == 0:
+        return np.zeros(0, dtype=np.bool_)
     nodes = np.linspace(RIGHT_ANGLE, at.last_psi, NODES)
     item, psi = np.repeat(np.arange(at.size), NODES), np.tile(nodes, at.size)
-    good = _is_good(at.at(item), alpha[item], psi)
+    good = _good_with_room(at.at(item), alpha[item], psi)
     enters = np.flatnonzero(good[1:] & ~good[:-1] & (item[1:] == item[:-1]))
     here = at.at(item[enters])
-    into = halved(lambda each: ~_is_good(here, alpha[item[enters]], each), psi[enters], psi[enters + 1])[1]
+    into = halved(lambda each: ~_good_with_room(here, alpha[item[enters]], each), psi[enters], psi[enters + 1])[1]
     lift = crest(at.at(item), psi)
     over = _above_crests(at, lift.reshape(-1, NODES), nodes)
     items = np.concatenate([item[enters], item[good], over[0]])
@@ -149,12 +151,8 @@ def _held_at_later_crest(at: Bout, alpha: Floats) -> Bools:
     return held
 
 
-def _is_good(at: Bout, alpha: Floats, psi: Floats) -> Bools:
-    """Whether the highest good posture at psi leaves room."""
-    lift = at.finger_length * np.sin(psi) - reach(at, psi, alpha)
-    good = lift >= -at.room
-    good[good] = touch(at.at(good), psi[good], np.maximum(lift[good], 0.0)).play >= -at.room
-    return good
+def _good_with_room(at: Bout, alpha: Floats, psi: Floats) -> Bools:
+    return _has_room(at, psi, highest_good(at, alpha, psi))
 
 
 def crest(at: Bout, psi: Floats) -> Floats:

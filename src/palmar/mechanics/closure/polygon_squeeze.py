@@ -22,6 +22,7 @@ So the first zero is found for certain, in three stages. Derived in docs/derivat
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import asin, atan2, hypot, pi
 
@@ -36,7 +37,8 @@ ANGLE_ROUNDING = 1e-12
 FLATTEST = 1e-9
 """The fingers stay this far (rad) from the palm line, where their cotangent is infinite."""
 NEARLY_FLAT = 1e-3 - RIGHT_ANGLE
-STEPS = 150
+HALVINGS = 50
+STEPS = 3 * HALVINGS
 
 
 @dataclass(frozen=True)
@@ -170,9 +172,10 @@ def _tip_starts(at: Bout, lift: Floats) -> Floats:
     """Angle beyond 90 deg (2, M) from which on each finger touches with its tip."""
     sides, length, h, raised = at.sides, at.finger_length, at.half_thickness, np.concatenate([lift, lift])
 
-    def beyond_when_flush(edge: Floats) -> Bools:
+    def beyond_when_flush(edge: Indices) -> Bools:
         e = sides.elevation(edge)
-        return (e >= 0.0) & (raised + sides.corner(edge)[1] + h * np.sin(e) >= length * np.cos(e))
+        beyond: Bools = (e >= 0.0) & (raised + sides.corner(edge)[1] + h * np.sin(e) >= length * np.cos(e))
+        return beyond
 
     step = sides.first_step(beyond_when_flush)
     height = raised + sides.corner(sides.stepped(step))[1]
@@ -186,10 +189,11 @@ def _undercut_starts(at: Bout, lift: Floats) -> Floats:
     """Angle beyond 90 deg (2, M) from which on each tip goes on under the object."""
     sides, length, h, raised = at.sides, at.finger_length, at.half_thickness, np.concatenate([lift, lift])
 
-    def left_before(edge: Floats) -> Bools:
+    def left_before(edge: Indices) -> Bools:
         e = sides.elevation(edge)
         height = raised + sides.corner(edge)[1] + h * np.sin(e)
-        return e >= -np.arcsin(np.clip(height / length, -1.0, 1.0))
+        left: Bools = e >= -np.arcsin(np.clip(height / length, -1.0, 1.0))
+        return left
 
     step = sides.first_step(left_before)
     height = raised + sides.corner(sides.stepped(step))[1]
@@ -197,6 +201,16 @@ def _undercut_starts(at: Bout, lift: Floats) -> Floats:
     flush = pi + np.where(step > 0, sides.elevation(sides.stepped(step - 1)), -RIGHT_ANGLE)
     starts: Floats = np.maximum(passing, flush)
     return starts.reshape(2, at.size)
+
+
+def halved(holds: Callable[[Floats], Bools], low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Ends of a tiny bracket in each [low, high] around the place where a condition passes from true to false."""
+    low, high = low.copy(), high.copy()
+    for _ in range(HALVINGS if low.size else 0):
+        middle = 0.5 * (low + high)
+        true = holds(middle)
+        low, high = np.where(true, middle, low), np.where(true, high, middle)
+    return low, high
 
 
 def _zero(at: Bout, lift: Floats, low: Floats, high: Floats) -> Floats:
@@ -219,14 +233,10 @@ def _zero(at: Bout, lift: Floats, low: Floats, high: Floats) -> Floats:
 
 def _zero_between_tips(at: Bout, lift: Floats, low: Floats, high: Floats) -> Floats:
     """Both tips touch from ``low`` on: the play falls, then rises."""
-    least_low, least_high = low.copy(), high.copy()
-    for _ in range(50):
-        middle = 0.5 * (least_low + least_high)
-        falls = touch(at, middle, lift).rate < 0.0
-        least_low, least_high = np.where(falls, middle, least_low), np.where(falls, least_high, middle)
+    least, _ = halved(lambda psi: touch(at, psi, lift).rate < 0.0, low, high)
     found = np.full(at.size, np.inf)
-    closed = touch(at, least_low, lift).play < -at.room
-    found[closed] = _zero(at.at(closed), lift[closed], low[closed], least_low[closed])
+    closed = touch(at, least, lift).play < -at.room
+    found[closed] = _zero(at.at(closed), lift[closed], low[closed], least[closed])
     return found
 
 
