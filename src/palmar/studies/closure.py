@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import cos, isnan, tan
+from typing import TYPE_CHECKING
 
 from palmar.mechanics.closure.disk_2_2 import Radii
 from palmar.mechanics.closure.sizing import Dimension, Grip, slopes, sufficient
@@ -12,8 +13,10 @@ from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import ConvexPolygon, Disk
-from palmar.studies.closure_polygon import PolygonClosure, polygon_closure
 from palmar.studies.closure_reason import disk_reason
+
+if TYPE_CHECKING:
+    from palmar.studies.closure_polygon import PolygonClosure
 
 
 @dataclass(frozen=True)
@@ -110,6 +113,8 @@ def _corner(case: Case) -> _Corner:
     plain, rough = grip_of(case.hand, None), grip_of(case.hand, case.contact.friction_angle)
     structural, frictional = _range(plain.radii()), _range(rough.radii())
     if isinstance(case.object, ConvexPolygon):
+        from palmar.studies.closure_polygon import polygon_closure
+
         polygon = polygon_closure(case, plain.radii(), rough.radii())
         verdict = Verdict(polygon.structural.every, polygon.frictional.every, polygon.reason)
         return _Corner(structural, frictional, verdict, polygon)

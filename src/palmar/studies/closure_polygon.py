@@ -31,12 +31,17 @@ class Orientations:
         """Whether it is held however it is turned."""
         return total_measure(self.held) >= _ALL_ROUND
 
+    @property
+    def intervals(self) -> list[tuple[float, float]]:
+        """The orientations (rad) as (start, end), an end above 2 pi wraps around."""
+        return [(float(start), float(end)) for start, end in self.held]
+
     def record(self) -> dict[str, Any]:
         """As in the JSON record of `palmar closure`."""
         return {
             "circle_test": self.circles.passed,
             "circle_test_sound": self.circles.sound,
-            "orientations_rad": [[float(start), float(end)] for start, end in self.held],
+            "orientations_rad": [list(each) for each in self.intervals],
             "share": total_measure(self.held) / tau,
         }
 

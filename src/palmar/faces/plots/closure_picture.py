@@ -62,11 +62,9 @@ def closure_picture(case: Case, answer: ClosureAnswer) -> Figure:
             _draw(axes, case.hand, view, extent, row.grip.friction_angle or 0.0)
     _hand_dimensions(case.hand, views, page)
     if polygon is not None:
-        known = () if answer.polygon is None else (answer.polygon.structural, answer.polygon.frictional)
-        tests = [
-            CircleTest(row.heading, row.radii, row.held, [(float(start), float(end)) for start, end in found.held])
-            for row, found in zip(rows, known, strict=False)
-        ]
+        known = answer.polygon
+        held = (None, None) if known is None else (known.structural.intervals, known.frictional.intervals)
+        tests = [CircleTest(row.heading, row.radii, row.held, at) for row, at in zip(rows, held, strict=False)]
         draw_circle_tests(page, page.box(page.panels[-1][0]).bottom, polygon, tests)
     return page.figure
 
