@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from palmar.geometry.planar_set import Circle, coordinates, seen_from_object
 from palmar.mechanics.closure.sizing import Dimension
+from palmar.models.outcome import Outcome
 from palmar.regions.region import Region
 from palmar.studies.closure import ClosureAnswer, RadiusRange
 from palmar.studies.sizing import Sizing
+
+if TYPE_CHECKING:
+    from palmar.mechanics.pushing.closing import Ends
+    from palmar.studies.simulate import Simulation
 
 _NAMES = {
     Dimension.HALF_PALM: "palm_width",
@@ -81,6 +86,28 @@ def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any
         "flattening_m": region.flattening,
         "reason": region.reason,
         "notes": list(region.notes),
+    }
+
+
+def simulation_record(result: Simulation) -> dict[str, Any]:
+    """`palmar simulate CASE --json`."""
+    x, y, theta = result.pose
+    return {
+        "outcome": result.outcome.value,
+        "caught": result.outcome.caught,
+        "final": {"x_m": x, "y_m": y, "theta_rad": theta, "finger_rad": [list(result.left), list(result.right)]},
+        "events": [{"t_s": time, "kind": each.kind, "body": each.body} for time, each in result.events],
+    }
+
+
+def starts_record(ends: Ends) -> dict[str, Any]:
+    """`palmar simulate CASE --starts FILE --json`: one entry a row, in order."""
+    outcomes = [Outcome.from_code(int(code)) for code in ends.codes]
+    return {
+        "results": [
+            {"outcome": each.value, "caught": each.caught, "x_m": x, "y_m": y, "theta_rad": theta}
+            for each, (x, y, theta) in zip(outcomes, ends.poses.tolist(), strict=True)
+        ]
     }
 
 

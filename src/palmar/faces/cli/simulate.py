@@ -1,0 +1,90 @@
+"""``palmar simulate``: what becomes of an object that starts here."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+from cyclopts import App, Parameter
+
+from palmar.errors import InputError
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, show
+from palmar.faces.cli.texts import table, titled
+from palmar.faces.records import simulation_record, starts_record
+from palmar.models.case import Case
+from palmar.models.outcome import Outcome
+from palmar.models.shipped import open_case
+
+app = App(name="simulate")
+
+Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
+
+
+@app.default
+def simulate(
+    case: CaseName,
+    *,
+    start: Annotated[Text, Parameter(help="X_MM,Y_MM[,THETA_DEG]; else the case's start.")] = None,
+    velocity: Annotated[Text, Parameter(help="VX,VY in mm/s.")] = None,
+    starts: Annotated[Path | None, Parameter(help="A CSV file: x_mm,y_mm[,theta_deg,vx_mm_s,vy_mm_s].")] = None,
+    world: Annotated[Literal["planar"], Parameter(help="The physics.")] = "planar",
+    animate: Annotated[Path | None, Parameter(help="Also write a film: gif or html.")] = None,
+    json: AsJson = False,
+    check: Check = False,
+) -> None:
+    """Carry the object through the closing motion: outcome, final pose, and the events on the way."""
+    from palmar.studies.simulate import simulate_start, simulate_starts
+
+    name, given = open_case(case)
+    if starts is not None:
+        if start is not None or velocity is not None or animate is not None:
+            raise InputError("--starts", None, "cannot be combined with --start, --velocity or --animate")
+        from palmar.faces.cli.starts_file import read_starts
+
+        ends = simulate_starts(given, read_starts(starts))
+        caught = [Outcome.from_code(int(code)).caught for code in ends.codes]
+        show(titled(name, given, _counts(ends.codes)), starts_record(ends), json)
+        answer(all(caught), check)
+        return
+    begin = _place(given, start, velocity)
+    result = simulate_start(given, begin)
+    if animate is not None:
+        from palmar.faces.plots.film import write_film
+
+        write_film(animate, given, (begin[0], begin[1]), result)
+    rows = [(f"{time:8.3f} s", event.kind, event.body.replace("_", " ")) for time, event in result.events]
+    x, y, theta = result.pose
+    place = f"({1e3 * x + 0.0:.2f}, {1e3 * y:.2f}) mm, turned {math.degrees(theta):.2f} deg"
+    ended = f"{result.outcome.value}: the object ends at {place}"
+    show(titled(name, given, ended, *([table(rows)] if rows else [])), simulation_record(result), json)
+    answer(result.outcome.caught, check)
+
+
+def _place(case: Case, start: str | None, velocity: str | None) -> list[float]:
+    x, y = case.start.at
+    theta, (vx, vy) = case.start.theta, case.start.velocity
+    if start is not None:
+        values = _numbers(start, "--start", (2, 3), "X_MM,Y_MM[,THETA_DEG]")
+        x, y = 1e-3 * values[0], 1e-3 * values[1]
+        theta = math.radians(values[2]) if len(values) == 3 else theta
+    if velocity is not None:
+        vx, vy = (1e-3 * each for each in _numbers(velocity, "--velocity", (2,), "VX,VY"))
+    return [x, y, theta, vx, vy]
+
+
+def _numbers(text: str, option: str, counts: tuple[int, ...], form: str) -> list[float]:
+    parts = text.split(",")
+    if len(parts) not in counts:
+        raise InputError(option, repr(text[:60]), f"must be {form}")
+    values = [number(part, option) for part in parts]
+    if any(abs(value) > 1e6 for value in values):
+        raise InputError(option, repr(text[:60]), "numbers must be at most 1000000")
+    return values
+
+
+def _counts(codes: np.ndarray) -> str:
+    found, numbers = np.unique(codes, return_counts=True)
+    rows = [(Outcome.from_code(int(code)).value, str(count)) for code, count in zip(found, numbers, strict=True)]
+    return table([*rows, ("starts", str(len(codes)))])

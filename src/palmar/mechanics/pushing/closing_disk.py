@@ -1,0 +1,396 @@
+"""A symmetric hand with straight crossing fingers closes on a disk on a table: event to event, in closed form.
+
+Both fingers turn from ``first`` to ``last`` at the same rate; a finger that stalls stays. The disk's centre starts at
+(x, y); by mirror symmetry x >= 0, so the right finger comes first. Phases, with rho = R + h and e the elevation of a
+contact above the disk's equator:
+
+- link: the contact runs out along the finger, r = r0 + rho (psi - psi0); the disk does not turn (findings of section 3.2);
+- tip: the table of ``closing_tables`` in beta, e = psi - 90 deg - beta;
+- both: on the axis, wedged where |e| <= alpha, else carried to the palm (e > 0) or squeezed out (e < 0);
+- palm: kept on the palm by link or tip, x follows from psi; wedged where half the angle between palm and finger's
+  tangent at the disk is at most alpha; then the other finger goes on alone.
+
+Line fingers with any friction, thick ones without; everything else is for the stepping kernel. Where a rare sequence
+leaves these phases the start is handed over too (``UNDECIDED``).
+"""
+
+from __future__ import annotations
+
+from math import acos, asin, atan2, cos, hypot, pi, sin, sqrt
+from typing import NamedTuple
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.mechanics.pushing.closing_tables import PALM_NODES, TIP_NODES, ClosingHand, Tables
+from palmar.mechanics.pushing.compiled import compiled
+from palmar.models.outcome import Outcome
+
+Floats = NDArray[np.float64]
+STRUCTURAL, FRICTIONAL, CAGED = Outcome.STRUCTURAL.code, Outcome.FRICTIONAL.code, Outcome.CAGED.code
+ESCAPED, MISSED, INVALID, UNDECIDED = (
+    Outcome.ESCAPED.code, Outcome.MISSED.code, Outcome.INVALID.code, Outcome.UNDECIDED.code,
+)  # fmt: skip
+HALF = 0.5 * pi
+TOUCHING = 1e-9
+"""Overlaps at the start below this part of the radius count as touching."""
+
+
+class End(NamedTuple):
+    """How it ended: outcome code, disk's centre and angle, right and left base angle at their stall or end."""
+
+    code: int
+    x: float
+    y: float
+    theta: float
+    right: float
+    left: float
+
+
+@compiled
+def first_touch(d: float, length: float, rho: float, x: float, y: float) -> tuple[float, float]:
+    """(psi, r) at which the finger of base (d, 0) first meets a disk at rest at (x, y); r > length on the tip, NaN never."""
+    reach = hypot(x - d, y)
+    bearing = atan2(y, x - d)
+    if reach <= rho or reach > length + rho:
+        return np.nan, np.nan
+    along = sqrt(reach * reach - rho * rho)
+    if along <= length:
+        return bearing - asin(rho / reach), along
+    return bearing - acos((length * length + reach * reach - rho * rho) / (2.0 * length * reach)), along
+
+
+@compiled
+def overlaps(hand: ClosingHand, x: float, y: float) -> bool:
+    """Whether a disk at (x, y) overlaps the palm or either open finger."""
+    d, slack = hand.half_palm, hand.radius * TOUCHING
+    beside = max(abs(x) - d, 0.0)
+    if hypot(beside, y) < hand.radius - slack:
+        return True
+    c, s = cos(hand.first), sin(hand.first)
+    for side in (1.0, -1.0):
+        px = side * x - d
+        along = min(max(px * c + y * s, 0.0), hand.length)
+        if hypot(px - along * c, y - along * s) < hand.radius + hand.half_thickness - slack:
+            return True
+    return False
+
+
+@compiled
+def close_on_disk(hand: ClosingHand, tables: Tables, alpha: float, x: float, y: float) -> End:
+    """Carry the disk from (x, y) to the end of the motion."""
+    if overlaps(hand, x, y):
+        return End(INVALID, x, y, 0.0, hand.first, hand.first)
+    side = 1.0 if x >= 0.0 else -1.0
+    end = _from_first_touch(hand, tables, alpha, abs(x), y)
+    if side > 0.0:
+        return end
+    return End(end.code, -end.x, end.y, -end.theta, end.left, end.right)
+
+
+@compiled
+def _from_first_touch(hand: ClosingHand, tables: Tables, alpha: float, x: float, y: float) -> End:
+    rho = hand.radius + hand.half_thickness
+    psi, along = first_touch(hand.half_palm, hand.length, rho, x, y)
+    if not psi >= hand.first - 1e-12:
+        other, _ = first_touch(hand.half_palm, hand.length, rho, -x, y)
+        code = UNDECIDED if other > hand.first and other < hand.last else MISSED
+        return End(code, x, y, 0.0, hand.last, hand.last)
+    if psi >= hand.last:
+        return _at_rest(hand, x, y, 0.0, MISSED)
+    if along <= hand.length:
+        return _on_link(hand, tables, alpha, psi, along)
+    mx, my = x - hand.half_palm - hand.length * cos(psi), y - hand.length * sin(psi)
+    beta = atan2(mx * cos(psi) + my * sin(psi), my * cos(psi) - mx * sin(psi))
+    return _on_tip(hand, tables, alpha, psi, beta, 0.0)
+
+
+@compiled
+def _at_rest(hand: ClosingHand, x: float, y: float, theta: float, outside: int) -> End:
+    """The fingers end at ``last`` without a hold: caged if the disk lies below the tips and cannot pass between them."""
+    tip_x, tip_y = hand.half_palm + hand.length * cos(hand.last), hand.length * sin(hand.last)
+    gap = 2.0 * (tip_x - hand.half_thickness)
+    inside = y < tip_y and abs(x) * sin(hand.last) < hand.half_palm * sin(hand.last) + y * cos(hand.last)
+    code = CAGED if inside and gap < 2.0 * hand.radius else outside
+    return End(code, x, y, theta, hand.last, hand.last)
+
+
+@compiled
+def _on_link(hand: ClosingHand, tables: Tables, alpha: float, psi0: float, r0: float) -> End:
+    """Pushed by the right link from contact r0 at psi0: to the tip, the axis, the palm, or the end."""
+    d, radius, rho = hand.half_palm, hand.radius, hand.radius + hand.half_thickness
+    tip = psi0 + (hand.length - r0) / rho
+    stop = min(tip, hand.last)
+    r = r0 + rho * (stop - psi0)
+    axis, palm = np.inf, np.inf
+    if d + r * cos(stop) - rho * sin(stop) <= 0.0:
+        axis = _link_root(d, rho, 0.0, psi0, r0, psi0, stop, True)
+    if stop > HALF and r * sin(stop) + rho * cos(stop) < radius:
+        palm = _link_root(d, rho, radius, psi0, r0, max(psi0, HALF), stop, False)
+    if axis <= palm and axis <= stop:
+        return _both_links(hand, alpha, axis)
+    if palm <= stop:
+        return _palm(hand, tables, alpha, palm, 0.0)
+    if tip <= hand.last:
+        return _on_tip(hand, tables, alpha, tip, 0.0, 0.0)
+    return _at_rest(hand, d + r * cos(stop) - rho * sin(stop), r * sin(stop) + rho * cos(stop), 0.0, ESCAPED)
+
+
+@compiled
+def _link_root(
+    d: float, rho: float, level: float, psi0: float, r0: float, low: float, high: float, horizontal: bool
+) -> float:
+    """psi in [low, high] where x (horizontal) or y falls to ``level``; it falls throughout: Newton inside a bracket."""
+    psi = 0.5 * (low + high)
+    for _ in range(60):
+        r, c, s = r0 + rho * (psi - psi0), cos(psi), sin(psi)
+        value = (d + r * c - rho * s if horizontal else r * s + rho * c) - level
+        slope = -r * s if horizontal else r * c
+        if value > 0.0:
+            low = psi
+        else:
+            high = psi
+        step = psi - value / slope if slope != 0.0 else low
+        if not low < step < high:
+            step = 0.5 * (low + high)
+        if abs(step - psi) <= 1e-15 * high:
+            return step
+        psi = step
+    return psi
+
+
+@compiled
+def _both_links(hand: ClosingHand, alpha: float, psi: float) -> End:
+    """On the axis between both links at psi."""
+    d, length, rho = hand.half_palm, hand.length, hand.radius + hand.half_thickness
+    if psi - HALF > alpha:
+        return _down_the_axis(hand)
+    grip = HALF - alpha
+    if psi < grip and alpha > 0.0 and rho * cos(alpha) - d <= length * sin(alpha):
+        psi = grip
+    if psi >= grip and alpha > 0.0:
+        y = (rho - d * sin(psi)) / cos(psi) if abs(psi - HALF) > 1e-9 else length
+        return End(FRICTIONAL, 0.0, y, 0.0, psi, psi)
+    tip = asin(min(d / hypot(rho, length), 1.0)) + atan2(length, rho)
+    return _both_tips(hand, alpha, min(max(psi, tip), hand.last), tip - HALF)
+
+
+@compiled
+def _both_tips(hand: ClosingHand, alpha: float, psi: float, e: float) -> End:
+    """On the axis between both tips at psi, which touch at elevation e."""
+    d, length, rho = hand.half_palm, hand.length, hand.radius + hand.half_thickness
+    if abs(e) <= alpha and alpha > 0.0:
+        return End(FRICTIONAL, 0.0, length * sin(psi) - rho * sin(e), 0.0, psi, psi)
+    if e > 0.0:
+        return _down_the_axis(hand)
+    top = sqrt(max((length + rho) ** 2 - d * d, 0.0))
+    return End(ESCAPED, 0.0, top, 0.0, hand.last, hand.last)
+
+
+@compiled
+def _down_the_axis(hand: ClosingHand) -> End:
+    """Pressed down the axis onto the palm; caged with play if the fingers end before they reach it there."""
+    d, length, h, radius = hand.half_palm, hand.length, hand.half_thickness, hand.radius
+    psi = _touch_on_palm(d, length, radius + h, radius, 0.0)
+    if psi <= hand.last:
+        return End(STRUCTURAL, 0.0, radius, 0.0, psi, psi)
+    rho, c, s = radius + h, cos(hand.last), sin(hand.last)
+    y = (d * s - rho) / -c
+    if -d * c + y * s > length:
+        tip_x = d + length * c
+        y = length * s - sqrt(max(rho * rho - tip_x * tip_x, 0.0))
+    return End(CAGED, 0.0, y, 0.0, hand.last, hand.last)
+
+
+@compiled
+def _touch_on_palm(d: float, length: float, rho: float, radius: float, x: float) -> float:
+    """psi at which the right finger touches a disk on the palm at x; NaN never."""
+    psi, _ = first_touch(d, length, rho, x, radius)
+    return psi
+
+
+@compiled
+def _on_tip(hand: ClosingHand, tables: Tables, alpha: float, psi0: float, beta0: float, theta0: float) -> End:
+    """Pushed by the right tip alone: to the axis, the palm, the end, or past the disk (beta = 90 degrees)."""
+    psi, beta, theta = _tip_phase(hand, tables, psi0, beta0, theta0, hand.radius)
+    x, y = _tip_place(hand, psi, beta)
+    if beta < HALF and psi < hand.last - 1e-12 and x > y - hand.radius:
+        return _palm(hand, tables, alpha, psi, theta)
+    return _after_tip(hand, alpha, psi, beta, theta)
+
+
+@compiled
+def _after_tip(hand: ClosingHand, alpha: float, psi: float, beta: float, theta: float) -> End:
+    """The end of a tip phase anywhere but on the palm."""
+    x, y = _tip_place(hand, psi, beta)
+    if beta >= HALF:
+        return End(ESCAPED, x, y, theta, hand.last, hand.last)
+    if psi >= hand.last - 1e-12:
+        return _at_rest(hand, x, y, theta, ESCAPED)
+    end = _both_tips(hand, alpha, psi, psi - HALF - beta)
+    return End(end.code, end.x, end.y, theta, end.right, end.left)
+
+
+@compiled
+def _tip_phase(
+    hand: ClosingHand, tables: Tables, psi0: float, beta0: float, theta0: float, floor: float
+) -> tuple[float, float, float]:
+    """(psi, beta, theta) at which the tip phase from (psi0, beta0) ends; ``floor`` is the height of a disk on the palm."""
+    step, nodes = HALF / (TIP_NODES - 1), TIP_NODES - 1
+    turn0, spin0 = _between(tables.turn, beta0 / step), _between(tables.spin, beta0 / step)
+    offset = psi0 - turn0
+    if _tip_room(hand, offset + tables.turn[nodes], HALF, floor) > 0.0:
+        return offset + tables.turn[nodes], HALF, theta0 + tables.spin[nodes] - spin0
+    first, last = int(beta0 / step), nodes
+    while last - first > 1:
+        middle = (first + last) // 2
+        if _tip_room(hand, offset + tables.turn[middle], middle * step, floor) > 0.0:
+            first = middle
+        else:
+            last = middle
+    beta = _tip_event(hand, tables, offset, max(first * step, beta0), last * step, floor)
+    return offset + _between(tables.turn, beta / step), beta, theta0 + _between(tables.spin, beta / step) - spin0
+
+
+@compiled
+def _tip_event(hand: ClosingHand, tables: Tables, offset: float, low: float, high: float, floor: float) -> float:
+    """beta in [low, high] where the room falls to 0: false position, its stale end halved (Illinois)."""
+    scale = (TIP_NODES - 1) / HALF
+    f_low = _tip_room(hand, offset + _between(tables.turn, low * scale), low, floor)
+    f_high = _tip_room(hand, offset + _between(tables.turn, high * scale), high, floor)
+    if f_low <= 0.0:
+        return low
+    for _ in range(40):
+        beta = high - f_high * (high - low) / (f_high - f_low)
+        room = _tip_room(hand, offset + _between(tables.turn, beta * scale), beta, floor)
+        if abs(room) <= 1e-15 * hand.length or abs(high - low) <= 1e-15:
+            return beta
+        if room * f_high < 0.0:
+            low, f_low = high, f_high
+        else:
+            f_low *= 0.5
+        high, f_high = beta, room
+    return high
+
+
+@compiled
+def _tip_place(hand: ClosingHand, psi: float, beta: float) -> tuple[float, float]:
+    """The disk's centre on the right tip."""
+    rho = hand.radius + hand.half_thickness
+    x = hand.half_palm + hand.length * cos(psi) - rho * sin(psi - beta)
+    return x, hand.length * sin(psi) + rho * cos(psi - beta)
+
+
+@compiled
+def _tip_room(hand: ClosingHand, psi: float, beta: float, floor: float) -> float:
+    """Length left before the tip phase ends: on the axis, on the palm, or at the end of travel."""
+    x, y = _tip_place(hand, psi, beta)
+    room = min(x, (hand.last - psi) * hand.length)
+    return min(room, y - floor) if psi > HALF else room
+
+
+@compiled
+def _between(values: Floats, position: float) -> float:
+    """Cubic interpolation in a table at equal steps."""
+    k = min(max(int(position), 1), len(values) - 3)
+    t = position - k
+    a, b, c, d = values[k - 1], values[k], values[k + 1], values[k + 2]
+    slope, bend, twist = c - b / 2.0 - a / 3.0 - d / 6.0, 0.5 * (a + c) - b, (d - a) / 6.0 + 0.5 * (b - c)
+    return b + t * (slope + t * (bend + t * twist))
+
+
+@compiled
+def _palm(hand: ClosingHand, tables: Tables, alpha: float, psi: float, theta: float) -> End:
+    """Kept on the palm by the right finger, from psi: to the axis, a wedge, off the palm, or the end."""
+    d, length, radius = hand.half_palm, hand.length, hand.radius
+    rho = radius + hand.half_thickness
+    centred = _touch_on_palm(d, length, rho, radius, 0.0)
+    wedge = max(pi - 2.0 * alpha, psi) if alpha > 0.0 else np.inf
+    tip = pi - asin(min(radius / hypot(length, rho), 1.0)) - atan2(rho, length)
+    stop = min(wedge, hand.last)
+    if centred <= min(tip, stop):
+        return End(STRUCTURAL, 0.0, radius, theta + _palm_spin(tables, psi, centred), centred, centred)
+    if stop <= tip:
+        x = d - (rho - radius * cos(stop)) / sin(stop)
+        theta += _palm_spin(tables, psi, stop)
+        if stop >= hand.last:
+            return _at_rest(hand, x, radius, theta, ESCAPED)
+        return _wedged(hand, x, theta, stop)
+    return _palm_by_tip(hand, tables, alpha, psi, max(psi, tip), theta)
+
+
+@compiled
+def _palm_spin(tables: Tables, begin: float, end: float) -> float:
+    scale = (PALM_NODES - 1) / (tables.palm_end - HALF)
+    return _between(tables.palm_spin, (end - HALF) * scale) - _between(tables.palm_spin, (begin - HALF) * scale)
+
+
+@compiled
+def _wedged(hand: ClosingHand, x: float, theta: float, right: float) -> End:
+    """The right finger has stalled with the disk at (x, R); the left one goes on until it touches."""
+    rho = hand.radius + hand.half_thickness
+    left, along = first_touch(hand.half_palm, hand.length, rho, -x, hand.radius)
+    if not left <= hand.last:
+        return End(FRICTIONAL, x, hand.radius, theta, right, hand.last)
+    if along <= hand.length or hand.length * sin(left) >= hand.radius:
+        return End(STRUCTURAL, x, hand.radius, theta, right, left)
+    return End(UNDECIDED, x, hand.radius, theta, right, left)
+
+
+@compiled
+def _palm_by_tip(hand: ClosingHand, tables: Tables, alpha: float, begin: float, psi: float, theta: float) -> End:
+    """Kept on the palm by the right tip, which sinks along the disk until it would lift it."""
+    d, length, radius, rho = hand.half_palm, hand.length, hand.radius, hand.radius + hand.half_thickness
+    rise = (length * sin(psi) - radius) / rho
+    if alpha > 0.0 and asin(min(rise, 1.0)) >= HALF - 2.0 * alpha:
+        x = d + length * cos(psi) - rho * sqrt(max(1.0 - rise * rise, 0.0))
+        return _wedged(hand, x, theta + _palm_spin(tables, begin, psi), psi)
+    low, high = psi, pi - 1e-12
+    if not _tip_leaves(hand, tables, low):
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            if _tip_leaves(hand, tables, middle):
+                high = middle
+            else:
+                low = middle
+    else:
+        high = low
+    centred = _touch_on_palm(d, length, rho, radius, 0.0)
+    if centred <= min(high, hand.last):
+        e = asin((length * sin(centred) - radius) / rho)
+        code = STRUCTURAL if e >= 0.0 else FRICTIONAL
+        return End(code, 0.0, radius, theta + _palm_spin(tables, begin, centred), centred, centred)
+    stop = min(high, hand.last)
+    rise = (length * sin(stop) - radius) / rho
+    theta += _palm_spin(tables, begin, stop)
+    if stop >= hand.last:
+        return _at_rest(hand, d + length * cos(stop) - rho * sqrt(max(1.0 - rise * rise, 0.0)), radius, theta, ESCAPED)
+    psi, beta, theta = _tip_phase(hand, tables, stop, max(stop - HALF - asin(rise), 0.0), theta, -np.inf)
+    return _after_tip(hand, alpha, psi, beta, theta)
+
+
+@compiled
+def _tip_leaves(hand: ClosingHand, tables: Tables, psi: float) -> bool:
+    """Whether the tip alone would move a disk on the palm upwards."""
+    rho = hand.radius + hand.half_thickness
+    rise = (hand.length * sin(psi) - hand.radius) / rho
+    if rise <= -1.0:
+        return True
+    beta = psi - HALF - asin(min(rise, 1.0))
+    if beta >= HALF:
+        return True
+    rate = _between(tables.rate, max(beta, 0.0) / HALF * (TIP_NODES - 1))
+    return hand.length * cos(psi) - rho * (1.0 - rate) * sin(psi - beta) >= 0.0
+
+
+@numba.njit(parallel=True, cache=True, error_model="numpy")
+def close_on_disks(
+    hand: ClosingHand, tables: Tables, alpha: float, starts: Floats, codes: NDArray[np.int8], ends: Floats
+) -> None:
+    """Batch: ``starts`` (N, 2) -> ``codes`` (N,) and ``ends`` (N, 5) = x, y, theta, right, left; parallel, no order."""
+    for k in numba.prange(len(starts)):
+        end = close_on_disk(hand, tables, alpha, starts[k, 0], starts[k, 1])
+        codes[k] = end.code
+        ends[k, 0], ends[k, 1], ends[k, 2] = end.x, end.y, end.theta
+        ends[k, 3], ends[k, 4] = end.right, end.left

@@ -1,0 +1,133 @@
+"""What a disk does on a closing fingertip, or between a closing finger and the palm, as functions of one number.
+
+Seen from the turning finger, a disk on the fingertip is described by one angle: beta, from the finger's pushing normal
+n to the contact normal m (towards the disk's centre). Quasi-static motion has no memory, so beta' is a function of beta
+alone, for any friction; one table a hand serves every start. Likewise a disk kept on the palm by a finger has its place
+given by psi, and only its spin depends on friction: one table over psi. Without friction the tip obeys
+beta' = 1 + (L / rho) sin beta (docs/derivations/tip_phase.md), which the table must reproduce.
+"""
+
+from __future__ import annotations
+
+from math import cos, hypot, pi, sin, sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.contact_solve import CONTACT_WIDTH, Workspace, workspace
+from palmar.mechanics.pushing.limit_surface import LimitSurface
+from palmar.mechanics.pushing.motion_solve import solve_motion
+
+Floats = NDArray[np.float64]
+TIP_NODES, PALM_NODES = 2049, 513
+
+
+class ClosingHand(NamedTuple):
+    """Half palm D, finger length L, half thickness h, disk radius R (m), friction, first and last base angle (rad)."""
+
+    half_palm: float
+    length: float
+    half_thickness: float
+    radius: float
+    friction: float
+    first: float
+    last: float
+
+
+class Tables(NamedTuple):
+    """``turn`` and ``spin``: psi and the disk's angle since beta = 0, at equal steps of beta up to 90 degrees.
+
+    ``rate`` is dbeta/dpsi there. ``palm_spin``: the disk's angle at equal steps of psi from 90 degrees to ``palm_end``.
+    """
+
+    turn: Floats
+    spin: Floats
+    rate: Floats
+    palm_spin: Floats
+    palm_end: float
+
+
+@compiled
+def tip_rates(
+    hand: ClosingHand, surface: LimitSurface, beta: float, space: Workspace, contact: Floats
+) -> tuple[float, float]:
+    """(beta', theta') per radian of the finger, for the finger along x: n = (0, 1)."""
+    rho = hand.radius + hand.half_thickness
+    mx, my = sin(beta), cos(beta)
+    px, py = -my, mx
+    contact[0, 0], contact[0, 1] = -hand.radius * mx, -hand.radius * my
+    contact[0, 2], contact[0, 3] = mx, my
+    contact[0, 4], contact[0, 5] = hand.half_thickness * px, hand.length + hand.half_thickness * py
+    contact[0, 6] = hand.friction
+    push = hand.length * my
+    found = solve_motion(surface, contact, 1, (push * mx, push * my, 0.0), space)
+    if found <= 0:
+        return np.nan, np.nan
+    vx, vy, omega = space.motions[0, 0], space.motions[0, 1], space.motions[0, 2]
+    return 1.0 - (vx * px + (vy - hand.length) * py) / rho, omega
+
+
+@compiled
+def palm_spin_rate(hand: ClosingHand, surface: LimitSurface, psi: float, space: Workspace, contacts: Floats) -> float:
+    """theta' per radian of a finger that keeps the disk on the palm; NaN where they wedge it or cannot hold it there."""
+    d, length, h, radius = hand.half_palm, hand.length, hand.half_thickness, hand.radius
+    rho = radius + h
+    foot = (radius - rho * cos(psi)) / sin(psi)
+    nx, ny, reach = -sin(psi), cos(psi), foot
+    if foot > length:
+        rise = (length * sin(psi) - radius) / rho
+        if abs(rise) >= 1.0:
+            return np.nan
+        nx, ny, reach = -sqrt(1.0 - rise * rise), -rise, length
+    tip_x, tip_y = -reach * sin(psi) - h * ny, reach * cos(psi) + h * nx
+    contacts[0, :] = np.array([0.0, -radius, 0.0, 1.0, 0.0, 0.0, hand.friction])
+    contacts[1, :] = np.array([-radius * nx, -radius * ny, nx, ny, tip_x, tip_y, hand.friction])
+    slide = (nx * tip_x + ny * tip_y) / nx
+    found = solve_motion(surface, contacts, 2, (slide, 0.0, 0.0), space)
+    if found <= 0 or abs(space.motions[0, 1]) > 1e-6 * (hypot(tip_x, tip_y) + d):
+        return np.nan
+    return space.motions[0, 2]
+
+
+@compiled
+def _fill_tip(hand: ClosingHand, surface: LimitSurface, turn: Floats, spin: Floats, rate: Floats) -> None:
+    """Runge-Kutta of fourth order in beta for psi and theta: dpsi = dbeta / beta', dtheta = theta' dbeta / beta'."""
+    space, contact = workspace(), np.zeros((1, CONTACT_WIDTH))
+    step = 0.5 * pi / (TIP_NODES - 1)
+    g, w = tip_rates(hand, surface, 0.0, space, contact)
+    rate[0] = g
+    for k in range(1, TIP_NODES):
+        beta = k * step
+        middle_g, middle_w = tip_rates(hand, surface, beta - 0.5 * step, space, contact)
+        next_g, next_w = tip_rates(hand, surface, beta, space, contact)
+        turn[k] = turn[k - 1] + step / 6.0 * (1.0 / g + 4.0 / middle_g + 1.0 / next_g)
+        spin[k] = spin[k - 1] + step / 6.0 * (w / g + 4.0 * middle_w / middle_g + next_w / next_g)
+        g, w = next_g, next_w
+        rate[k] = g
+
+
+@compiled
+def _fill_palm(hand: ClosingHand, surface: LimitSurface, spin: Floats, end: float) -> None:
+    """Simpson's rule in psi; where the disk is wedged the spin stays."""
+    space, contacts = workspace(), np.zeros((2, CONTACT_WIDTH))
+    step = (end - 0.5 * pi) / (PALM_NODES - 1)
+    last = palm_spin_rate(hand, surface, 0.5 * pi, space, contacts)
+    for k in range(1, PALM_NODES):
+        psi = 0.5 * pi + k * step
+        middle = palm_spin_rate(hand, surface, psi - 0.5 * step, space, contacts)
+        now = palm_spin_rate(hand, surface, psi, space, contacts)
+        mean = (last + 4.0 * middle + now) / 6.0
+        spin[k] = spin[k - 1] + (step * mean if mean == mean else 0.0)
+        last = now
+
+
+def build_tables(hand: ClosingHand, surface: LimitSurface) -> Tables:
+    """Tables for one hand and disk; the limit surface matters only with friction."""
+    turn, spin, rate = np.zeros(TIP_NODES), np.zeros(TIP_NODES), np.zeros(TIP_NODES)
+    palm_spin, palm_end = np.zeros(PALM_NODES), max(min(hand.last, pi - 1e-9), 0.5 * pi + 1e-9)
+    _fill_tip(hand, surface, turn, spin, rate)
+    if hand.friction > 0.0:
+        _fill_palm(hand, surface, palm_spin, palm_end)
+    return Tables(turn, spin, rate, palm_spin, palm_end)

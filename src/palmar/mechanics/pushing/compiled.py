@@ -1,0 +1,48 @@
+"""Compilation of numeric kernels, with a cache that notices edits in imported kernels.
+
+numba's own cache compares only the file that a kernel stands in, so an edit in a kernel that it calls would be
+missed. The cache folder is therefore named after a hash of all sources of the mechanics.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from importlib.resources import as_file, files
+from importlib.resources.abc import Traversable
+from typing import Any, ParamSpec, TypeVar, cast
+
+import numba  # type: ignore[import-untyped,unused-ignore]
+
+Arguments = ParamSpec("Arguments")
+Result = TypeVar("Result")
+
+
+def compiled(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
+    """The function as a numba kernel: cached on disk, without the interpreter lock, IEEE division by zero."""
+    kernel = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+    return cast(Callable[Arguments, Result], kernel)
+
+
+def _sources(folder: Traversable) -> list[bytes]:
+    found: list[bytes] = []
+    for each in sorted(folder.iterdir(), key=lambda entry: entry.name):
+        if each.name.endswith(".py"):
+            found.append(each.name.encode() + b"\n" + each.read_bytes())
+        elif each.is_dir() and each.name != "__pycache__":
+            found.extend(_sources(each))
+    return found
+
+
+def _pin_cache() -> None:
+    mechanics = files("palmar.mechanics")
+    digest = hashlib.sha256(b"\n".join(_sources(mechanics))).hexdigest()[:16]
+    settings: Any = numba.config
+    if settings.CACHE_DIR:
+        settings.CACHE_DIR = f"{settings.CACHE_DIR}/palmar-{digest}"
+    else:
+        with as_file(mechanics) as folder:
+            settings.CACHE_DIR = f"{folder}/__pycache__/kernels-{digest}"
+
+
+_pin_cache()

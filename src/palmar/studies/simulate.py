@@ -1,0 +1,73 @@
+"""Carry an object through the closing motion: one start in detail, or many."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from palmar.errors import NotCoveredError
+from palmar.mechanics.pushing.closing import Ends
+from palmar.models.case import Case
+from palmar.models.outcome import Outcome
+from palmar.worlds.planar.events import Event, events
+from palmar.worlds.planar.table import TableWorld, Trace, table_world, trace
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """One start: how it ended, the final pose (m, rad), joint angles (rad) left and right, events with their times (s)."""
+
+    outcome: Outcome
+    pose: tuple[float, float, float]
+    left: tuple[float, ...]
+    right: tuple[float, ...]
+    events: tuple[tuple[float, Event], ...]
+
+
+def simulate_start(case: Case, start: ArrayLike) -> Simulation:
+    """Simulate one start (x, y[, theta[, vx, vy]]) in SI.
+
+    Raises NotCoveredError for cases that no kernel carries.
+    """
+    place = _places(case, np.atleast_2d(np.asarray(start, dtype=float)))
+    world = table_world(case)
+    ends = world.ends(place[:, :2])
+    outcome = Outcome.from_code(int(ends.codes[0]))
+    begin = (float(place[0, 0]), float(place[0, 1]))
+    found = events(world, begin, outcome.value) if outcome is not Outcome.INVALID else ()
+    x, y, theta = (float(each) for each in ends.poses[0])
+    straight = (0.0,) * (len(case.hand.finger_links) - 1)
+    right, left = (float(each) for each in ends.fingers[0])
+    return Simulation(
+        outcome,
+        (x, y, theta + float(place[0, 2])),
+        (left, *straight),
+        (right, *straight),
+        tuple(((each.psi - case.hand.open) / case.hand.finger_rate, each) for each in found),
+    )
+
+
+def simulate_starts(case: Case, starts: ArrayLike) -> Ends:
+    """Simulate starts (N, 2 to 5) in SI: x, y[, theta[, vx, vy]]."""
+    places = _places(case, np.atleast_2d(np.asarray(starts, dtype=float)))
+    ends = table_world(case).ends(places[:, :2])
+    poses = ends.poses.copy()
+    poses[:, 2] += places[:, 2]
+    return Ends(ends.codes, poses, ends.fingers)
+
+
+def film(case: Case, start: tuple[float, float], frames: int) -> tuple[TableWorld, Trace]:
+    """The world and the poses of one start at equal steps of time."""
+    world = table_world(case)
+    return world, trace(world, start, frames)
+
+
+def _places(case: Case, starts: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Starts as (N, 3): x, y, theta; a velocity is refused, sliding on a table has no memory of it."""
+    wide = np.zeros((len(starts), 5))
+    wide[:, : starts.shape[1]] = starts
+    if np.any(wide[:, 3:]) or case.start.velocity != (0.0, 0.0):
+        raise NotCoveredError("velocity: quasi-static sliding on a table has no initial velocity")
+    return wide[:, :3]

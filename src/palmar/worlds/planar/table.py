@@ -1,0 +1,89 @@
+"""Closing on an object on a table: from a case and its starts to how each ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from palmar.errors import NotCoveredError
+from palmar.mechanics.closure.disk_2_2 import last_angle
+from palmar.mechanics.pushing.closing import Ends, close_disk
+from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables, build_tables
+from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, sampled_surface
+from palmar.mechanics.pushing.pressure_cells import disk_cells
+from palmar.models.case import Case
+from palmar.models.hand import Fingers, Hand
+from palmar.models.objects import Disk
+from palmar.models.support import Pressure, Support, SupportKind
+
+_EXPONENTS = {Pressure.RIM: 4.0, Pressure.CENTRE: -1.0}
+
+
+@dataclass(frozen=True)
+class TableWorld:
+    """A hand that closes on a disk on a table; built once for a case, then asked for any number of starts."""
+
+    hand: ClosingHand
+    surface: LimitSurface
+    tables: Tables
+
+    def ends(self, starts: ArrayLike, *, last: float | None = None) -> Ends:
+        """How each start (N, 2), in m, ends; ``last`` (rad) stops the fingers earlier."""
+        hand = self.hand if last is None else self.hand._replace(last=min(last, self.hand.last))
+        return close_disk(hand, self.surface, starts, self.tables)
+
+
+def table_world(case: Case) -> TableWorld:
+    """The world of a case; raises NotCoveredError with the part that it does not cover."""
+    if case.support.kind is not SupportKind.TABLE:
+        raise NotCoveredError('support.kind = "free": this world is the table')
+    if case.ranges:
+        raise NotCoveredError("a simulation takes plain numbers, not ranges")
+    if not isinstance(case.object, Disk):
+        raise NotCoveredError('object.shape = "polygon": this world carries disks')
+    if case.support.pressure_centre != (0.0, 0.0):
+        raise NotCoveredError("support.pressure_centre_mm: this world has the pressure centred under the disk")
+    hand = closing_hand(case.hand, case.object.radius, case.contact.friction)
+    rough = hand.friction > 0.0
+    if rough and hand.half_thickness > 0.0:
+        raise NotCoveredError("hand.finger_thickness_mm: with friction this world has line fingers")
+    if rough and case.hand.fingers is Fingers.COLLIDING:
+        raise NotCoveredError('hand.fingers = "colliding": with friction this world has crossing fingers')
+    surface = pressure_surface(case.object, case.support)
+    return TableWorld(hand, surface, build_tables(hand, surface))
+
+
+def closing_hand(hand: Hand, radius: float, friction: float) -> ClosingHand:
+    """The straight-fingered hand as the kernel takes it, closing until palm, other finger or joint limit end it."""
+    crossing = hand.fingers is Fingers.CROSSING
+    h = hand.half_thickness
+    last = float(last_angle(hand.half_palm, hand.finger_length, h, crossing, hand.base_limits[1]))
+    return ClosingHand(hand.half_palm, hand.finger_length, h, radius, friction, hand.open, min(last, pi))
+
+
+def pressure_surface(disk: Disk, support: Support) -> LimitSurface:
+    """The limit surface of a disk under the support's pressure distribution."""
+    if support.pressure is Pressure.UNIFORM:
+        return disk_surface(disk.radius)
+    return sampled_surface(disk_cells(disk.radius, _EXPONENTS[support.pressure]))
+
+
+@dataclass(frozen=True)
+class Trace:
+    """One start over time: base angles psi (K,) of fingers that do not stall, poses (K, 3), base angles (K, 2)."""
+
+    psi: NDArray[np.float64]
+    poses: NDArray[np.float64]
+    fingers: NDArray[np.float64]
+
+
+def trace(world: TableWorld, start: tuple[float, float], frames: int) -> Trace:
+    """Poses at ``frames`` equal steps of the closing angle: the motion stopped at each of them."""
+    angles = np.linspace(world.hand.first, world.hand.last, frames)
+    ends = [world.ends([start], last=float(angle)) for angle in angles]
+    poses = np.concatenate([each.poses for each in ends])
+    fingers = np.concatenate([each.fingers for each in ends])
+    return Trace(angles, poses, np.minimum(fingers, angles[:, None]))
