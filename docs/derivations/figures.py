@@ -10,16 +10,18 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-from check_region import D, L, R, latest_loss, spiral, sweep, tip_phase
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon, Wedge
 from numpy.typing import NDArray
 
+from palmar.mechanics.pushing.uniform_disk import secant_ratio
+
 Floats = NDArray[np.float64]
 HERE = Path(__file__).resolve().parent
 INK, DISK, FORCE, REGION = "#7d7d7d", "#2f86c1", "#d55e00", "#009e73"
 ALPHA = float(np.radians(35))
+D, L, R = 1.0, 2.0, 0.5  # the example hand, line fingers
 
 
 def panels(count: int, width: float, height: float) -> tuple[Figure, list[Axes]]:
@@ -132,18 +134,64 @@ def draw_hold(axis: Axes, tip: Floats, centre: Floats, radius: float) -> None:
     cone(axis, tip, centre, ALPHA, 0.4 * radius + 0.12)
 
 
+def sweep(alpha: float) -> float:
+    """Finger angle A at which a fingertip grips the centred disk alpha below its equator."""
+    return float(np.pi - np.arccos((D - R * np.cos(alpha)) / L))
+
+
+def across(psi: Floats, beta: Floats | float = 0.0) -> Floats:
+    """Unit vectors m, the finger's normal n at psi turned by beta towards the finger (beta = 0: n itself)."""
+    return np.stack([-np.sin(psi - beta), np.cos(psi - beta)], axis=-1)
+
+
+def linked(r: Floats | float, psi: Floats, beta: Floats | float = 0.0) -> Floats:
+    """Centres of a disk that touches the right finger at r with the normal m (beta)."""
+    along = np.stack([np.cos(psi), np.sin(psi)], axis=-1)
+    return np.array([D, 0]) + np.asarray(r)[..., None] * along + R * across(psi, beta)
+
+
+def force_angle(beta: Floats, alpha: float) -> Floats:
+    """The angle gamma of tip_phase.md: the sticking one, at most alpha."""
+    k = np.linspace(0, 6, 3001)
+    ratio = np.array([each * secant_ratio(1 / each) if each > 0 else 0.0 for each in k])
+    k, gamma = k[ratio < 0.99], np.arcsin(ratio[ratio < 0.99])
+    sticking = np.interp(beta, np.arctan(np.tan(gamma) + k / np.cos(gamma)), gamma)
+    return np.asarray(np.minimum(sticking, alpha))
+
+
+def tip_rate(beta: Floats, alpha: float) -> Floats:
+    """dbeta/dpsi on the tip."""
+    gamma = force_angle(beta, alpha)
+    return np.asarray(1 + L / R * np.sin(beta - gamma) / np.cos(gamma))
+
+
+def last_caught(alpha: float) -> tuple[float, Floats]:
+    """The last disk caught: the finger's turn on the tip, and the path of its centre there."""
+    beta = np.linspace(0, sweep(alpha) - np.pi / 2 + alpha, 2001)
+    slowness = 1 / tip_rate(beta, alpha)
+    turn = np.concatenate([[0], np.cumsum((slowness[1:] + slowness[:-1]) / 2 * np.diff(beta))])
+    return float(turn[-1]), linked(L, sweep(alpha) - turn[-1] + turn, beta)
+
+
+def spiral(r0: float, begin: float, end: float) -> Floats:
+    """Centres of the disks that touch the right finger at r0 + R (phi - begin) while phi goes from begin to end."""
+    phi = np.linspace(begin, end, 1001)
+    return linked(r0 + R * (phi - begin), phi)
+
+
 def outlines(alpha: float) -> dict[str, Floats]:
     """Right halves of the published curves and of the solved edge, for one friction angle."""
     end = sweep(alpha) - alpha
     phi = np.linspace(0, end, 400)[:, None]
-    along, across = np.hstack([np.cos(phi), np.sin(phi)]), np.hstack([-np.sin(phi), np.cos(phi)])
+    along, normal = np.hstack([np.cos(phi), np.sin(phi)]), np.hstack([-np.sin(phi), np.cos(phi)])
     contact = [D, 0] + (L - R * end + R * phi) * along
-    reached = latest_loss(alpha)
-    solved = np.concatenate([spiral(L - R * reached, reached), tip_phase(reached, alpha)[2]])
+    turn, on_tip = last_caught(alpha)
+    reached = sweep(alpha) - turn
+    solved = np.concatenate([spiral(L - R * reached, 0, reached), on_tip])
     return {
         "contact": contact,
-        "centre": contact + R * across,
-        "whole": contact + R * (across + along),
+        "centre": contact + R * normal,
+        "whole": contact + R * (normal + along),
         "solved": solved,
     }
 
@@ -178,6 +226,155 @@ def region() -> None:
     save(figure, "published_region")
 
 
+def arrow(axis: Axes, start: Floats, end: Floats, colour: str) -> None:
+    """A vector from start to end."""
+    style = {"arrowstyle": "->", "color": colour, "lw": 1.6, "shrinkA": 0, "shrinkB": 0}
+    axis.annotate("", (end[0], end[1]), (start[0], start[1]), arrowprops=style)
+
+
+def round_disk(axis: Axes, centre: Floats, faint: bool = False) -> None:
+    """A disk of the example hand anywhere."""
+    style = {"lw": 1.2, "ls": ":"} if faint else {"lw": 2.0}
+    axis.add_patch(Circle((centre[0], centre[1]), R, fill=False, color=DISK, **style))
+
+
+def closing() -> None:
+    """Phases of one start; the set of centres that the hand allows; the wedge that friction locks."""
+    figure, axes = panels(3, 9.6, 3.6)
+    draw_phases(axes[0])
+    draw_allowed(axes[1], float(np.radians(84)))
+    draw_wedge(axes[2])
+    for axis in axes[:2]:
+        axis.set(xlim=(-1.8, 1.8), ylim=(-0.2, 2.85))
+    axes[2].set(xlim=(-0.75, 1.25), ylim=(-0.1, 1.36))
+    save(figure, "sweeping")
+
+
+def draw_phases(axis: Axes) -> None:
+    """From the start (1.1, 1.3) on the right link to the axis, and between both links down to the palm."""
+    q = np.array([0.1, 1.3])
+    r0 = float(np.sqrt(q @ q - R**2))
+    psi0 = float(np.arctan2(q[1], q[0]) - np.arcsin(R / np.hypot(*q)))
+    path = spiral(r0, psi0, np.pi)
+    path = path[: int(np.argmax(path[:, 0] < 0)) + 1]
+    end = 2 * np.arctan2(D, R)
+    hand(axis, D, L, float(end))
+    round_disk(axis, path[0], faint=True)
+    round_disk(axis, path[-1], faint=True)
+    disk(axis, R, R)
+    axis.plot(*path.T, color=FORCE, lw=2.2)
+    axis.plot([0, 0], [path[-1, 1], R], color=REGION, lw=2.2)
+    label(axis, 0.62, 1.78, "link", FORCE)
+    label(axis, -0.45, 1.0, "both", REGION, ha="right")
+    caption(axis, "link, both links, held")
+
+
+def draw_allowed(axis: Axes, psi: float) -> None:
+    """Centres that palm, links and tips allow at one finger angle, between the fingers and above them."""
+    tip = hand(axis, D, L, psi)
+    lean = np.linspace(0, np.pi / 2, 200)
+    edge = np.concatenate([linked(np.linspace(0.3, L, 50), np.full(50, psi)), linked(L, np.full(200, psi), lean)])
+    edge = edge[(edge[:, 1] >= R) & (edge[:, 0] >= 0)]
+    corner = D - (R - R * np.cos(psi)) / np.sin(psi)
+    right = np.concatenate([[[corner, R]], edge, [[edge[-1, 0], 2.85]]])
+    outline = np.concatenate([right, (right * [-1, 1])[::-1]])
+    axis.add_patch(Polygon(outline, color=REGION, alpha=0.22, lw=0))
+    for side in (1, -1):
+        axis.plot(side * right[:-1, 0], right[:-1, 1], color=REGION, lw=2)
+        axis.add_patch(Circle((side * tip[0], tip[1]), R, fill=False, color=REGION, lw=0.9, ls=":"))
+    axis.plot([-corner, corner], [R, R], color=REGION, lw=2)
+    at = linked(L, np.array(psi), np.radians(40))
+    arrow(axis, at, at + 0.4 * across(np.array(psi), np.radians(40)), FORCE)
+    axis.plot(*at, "o", color=FORCE, ms=4)
+    at = linked(0.75, np.array(psi))
+    arrow(axis, at, at + 0.3 * across(np.array(psi)), FORCE)
+    axis.plot(*at, "o", color=FORCE, ms=4)
+    label(axis, at[0] - 0.37, at[1] + 0.03, "v", FORCE)
+    label(axis, tip[0] + 0.28, tip[1] - 0.1, "ρ", REGION)
+    axis.plot([tip[0], tip[0] + R * np.cos(0.1)], [tip[1], tip[1] + R * np.sin(0.1)], color=REGION, lw=0.9)
+    caption(axis, "allowed centres")
+
+
+def draw_wedge(axis: Axes) -> None:
+    """A disk between palm and right link at the limit of the wedge, with chord and cones, for 35 degrees."""
+    psi = np.pi - 2 * ALPHA
+    x = D - (R - R * np.cos(psi)) / np.sin(psi)
+    centre, foot = np.array([x, R]), np.array([x, 0.0])
+    touch = centre - R * across(np.array(psi))
+    axis.plot([-D, D], [0, 0], color=INK, lw=4, solid_capstyle="butt")
+    axis.plot([D, D + 1.4 * np.cos(psi)], [0, 1.4 * np.sin(psi)], color=INK, lw=2.2)
+    axis.plot([D], [0], "o", color=INK, ms=6)
+    round_disk(axis, centre)
+    for contact, other in ((foot, touch), (touch, foot)):
+        middle = float(np.degrees(np.arctan2(*(centre - contact)[::-1])))
+        wide = float(np.degrees(ALPHA))
+        axis.add_patch(
+            Wedge((contact[0], contact[1]), 0.42, middle - wide, middle + wide, color=FORCE, alpha=0.25, lw=0)
+        )
+        axis.plot(*np.array([contact, centre]).T, color=DISK, lw=0.8, ls=":")
+        axis.plot(*contact, "o", color=FORCE, ms=5)
+        axis.plot(*np.array([contact, other]).T, color=FORCE, lw=1.6)
+    caption(axis, "wedge: half the angle is α")
+
+
+def fingertip() -> None:
+    """The disk on the tip with its angles, and the rate of the lean for three frictions."""
+    figure, axes = panels(2, 9.6, 4.0)
+    draw_tip(axes[0], float(np.radians(100)), float(np.radians(38)))
+    figure.delaxes(axes[1])
+    plot = figure.add_subplot(1, 2, 2)
+    beta = np.linspace(0, np.pi / 2, 721)
+    for alpha, colour, name, at in (
+        (0.0, DISK, "α = 0", (17, 2.55)),
+        (np.radians(10), REGION, "10°", (71, 4.25)),
+        (ALPHA, FORCE, "35°", (78, 3.85)),
+    ):
+        rate, sticks = tip_rate(beta, alpha), force_angle(beta, alpha) < alpha
+        plot.plot(np.degrees(beta[sticks]), rate[sticks], color=colour, lw=2)
+        plot.plot(np.degrees(beta[~sticks]), rate[~sticks], color=colour, lw=2, ls="--")
+        end = sweep(alpha) - np.pi / 2 + alpha
+        plot.plot(np.degrees(end), np.interp(end, beta, tip_rate(beta, alpha)), "o", color=colour, ms=7)
+        label(plot, *at, name, colour)
+    plot.set(xlim=(0, 90), ylim=(1, 5.05), xticks=[0, 30, 60, 90], xticklabels=["0°", "30°", "60°", "90°"])
+    plot.set_xlabel("β", color=INK, fontsize=10)
+    plot.tick_params(colors=INK)
+    plot.spines[["top", "right"]].set_visible(False)
+    plot.spines[["left", "bottom"]].set_color(INK)
+    plot.set_facecolor("none")
+    caption(plot, "β′, per radian of finger")
+    save(figure, "tip_phase")
+
+
+def draw_tip(axis: Axes, psi: float, beta: float) -> None:
+    """Finger, disk on its tip, both normals and the angle between them, and the elevation."""
+    tip = np.array([D + L * np.cos(psi), L * np.sin(psi)])
+    n, m = across(np.array(psi)), across(np.array(psi), beta)
+    axis.plot([D, tip[0]], [0, tip[1]], color=INK, lw=2.6)
+    axis.plot([D], [0], "o", color=INK, ms=6)
+    axis.plot([-0.6, D], [0, 0], color=INK, lw=4, solid_capstyle="butt")
+    centre = tip + R * m
+    round_disk(axis, centre)
+    axis.plot(*centre, "+", color=DISK, ms=7)
+    axis.plot([centre[0] - 0.1, centre[0] + R + 0.25], [centre[1], centre[1]], color=DISK, lw=0.8, ls=":")
+    axis.plot([tip[0], centre[0]], [tip[1], centre[1]], color=DISK, lw=0.8, ls=":")
+    for vector, name in ((n, "n"), (m, "m")):
+        arrow(axis, tip, tip + 0.8 * vector, FORCE)
+        label(axis, *(tip + 0.92 * vector), name, FORCE)
+    left = float(np.degrees(np.arctan2(n[1], n[0])))
+    for middle, size, low, high, colour in (
+        (tip, 0.6, left - np.degrees(beta), left, FORCE),
+        (centre, 0.3, np.degrees(psi - beta) - 90, 0, DISK),
+    ):
+        arc = np.radians(np.linspace(low, high, 60))
+        axis.plot(middle[0] + size * np.cos(arc), middle[1] + size * np.sin(arc), color=colour, lw=1.2)
+        half = np.radians((low + high) / 2)
+        name = "β" if colour == FORCE else "e"
+        label(axis, middle[0] + (size + 0.13) * np.cos(half), middle[1] + (size + 0.13) * np.sin(half), name, colour)
+    label(axis, 0.98, 1.0, "L")
+    label(axis, 1.08, 0.12, "joint", ha="left")
+    axis.set(xlim=(-0.7, 1.6), ylim=(-0.1, 2.95))
+
+
 def main() -> None:
     """Write all figures."""
     plt.switch_backend("svg")
@@ -185,6 +382,8 @@ def main() -> None:
     structural()
     frictional()
     region()
+    closing()
+    fingertip()
 
 
 if __name__ == "__main__":

@@ -32,6 +32,7 @@ def close_disk(hand: ClosingHand, surface: LimitSurface, starts: ArrayLike, tabl
     """
     if hand.half_thickness > 0.0 and hand.friction > 0.0:
         raise ValueError("thick fingers with friction are for the stepping kernel")
+    hand = ClosingHand(*map(float, hand))
     places = np.ascontiguousarray(starts, dtype=float)
     codes, ends = np.empty(len(places), np.int8), np.empty((len(places), 5))
     close_on_disks(hand, tables or build_tables(hand, surface), atan(hand.friction), places, codes, ends)

@@ -16,15 +16,17 @@ leaves these phases the start is handed over too (``UNDECIDED``).
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, cos, hypot, pi, sin, sqrt
+from math import asin, atan2, cos, hypot, pi, sin, sqrt
 from typing import NamedTuple
 
 import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.closing_tables import PALM_NODES, TIP_NODES, ClosingHand, Tables
+from palmar.mechanics.pushing.closing_tables import PALM_NODES, ClosingHand, Tables
+from palmar.mechanics.pushing.closing_tip import HALF, between, tip_leaves, tip_phase, tip_place
 from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.first_touch import first_touch, overlaps
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
@@ -32,9 +34,6 @@ STRUCTURAL, FRICTIONAL, CAGED = Outcome.STRUCTURAL.code, Outcome.FRICTIONAL.code
 ESCAPED, MISSED, INVALID, UNDECIDED = (
     Outcome.ESCAPED.code, Outcome.MISSED.code, Outcome.INVALID.code, Outcome.UNDECIDED.code,
 )  # fmt: skip
-HALF = 0.5 * pi
-TOUCHING = 1e-9
-"""Overlaps at the start below this part of the radius count as touching."""
 
 
 class End(NamedTuple):
@@ -46,35 +45,6 @@ class End(NamedTuple):
     theta: float
     right: float
     left: float
-
-
-@compiled
-def first_touch(d: float, length: float, rho: float, x: float, y: float) -> tuple[float, float]:
-    """(psi, r) at which the finger of base (d, 0) first meets a disk at rest at (x, y); r > length on the tip, NaN never."""
-    reach = hypot(x - d, y)
-    bearing = atan2(y, x - d)
-    if reach <= rho or reach > length + rho:
-        return np.nan, np.nan
-    along = sqrt(reach * reach - rho * rho)
-    if along <= length:
-        return bearing - asin(rho / reach), along
-    return bearing - acos((length * length + reach * reach - rho * rho) / (2.0 * length * reach)), along
-
-
-@compiled
-def overlaps(hand: ClosingHand, x: float, y: float) -> bool:
-    """Whether a disk at (x, y) overlaps the palm or either open finger."""
-    d, slack = hand.half_palm, hand.radius * TOUCHING
-    beside = max(abs(x) - d, 0.0)
-    if hypot(beside, y) < hand.radius - slack:
-        return True
-    c, s = cos(hand.first), sin(hand.first)
-    for side in (1.0, -1.0):
-        px = side * x - d
-        along = min(max(px * c + y * s, 0.0), hand.length)
-        if hypot(px - along * c, y - along * s) < hand.radius + hand.half_thickness - slack:
-            return True
-    return False
 
 
 @compiled
@@ -213,8 +183,8 @@ def _touch_on_palm(d: float, length: float, rho: float, radius: float, x: float)
 @compiled
 def _on_tip(hand: ClosingHand, tables: Tables, alpha: float, psi0: float, beta0: float, theta0: float) -> End:
     """Pushed by the right tip alone: to the axis, the palm, the end, or past the disk (beta = 90 degrees)."""
-    psi, beta, theta = _tip_phase(hand, tables, psi0, beta0, theta0, hand.radius)
-    x, y = _tip_place(hand, psi, beta)
+    psi, beta, theta = tip_phase(hand, tables, psi0, beta0, theta0, hand.radius)
+    x, y = tip_place(hand, psi, beta)
     if beta < HALF and psi < hand.last - 1e-12 and x > y - hand.radius:
         return _palm(hand, tables, alpha, psi, theta)
     return _after_tip(hand, alpha, psi, beta, theta)
@@ -223,81 +193,13 @@ def _on_tip(hand: ClosingHand, tables: Tables, alpha: float, psi0: float, beta0:
 @compiled
 def _after_tip(hand: ClosingHand, alpha: float, psi: float, beta: float, theta: float) -> End:
     """The end of a tip phase anywhere but on the palm."""
-    x, y = _tip_place(hand, psi, beta)
+    x, y = tip_place(hand, psi, beta)
     if beta >= HALF:
         return End(ESCAPED, x, y, theta, hand.last, hand.last)
     if psi >= hand.last - 1e-12:
         return _at_rest(hand, x, y, theta, ESCAPED)
     end = _both_tips(hand, alpha, psi, psi - HALF - beta)
     return End(end.code, end.x, end.y, theta, end.right, end.left)
-
-
-@compiled
-def _tip_phase(
-    hand: ClosingHand, tables: Tables, psi0: float, beta0: float, theta0: float, floor: float
-) -> tuple[float, float, float]:
-    """(psi, beta, theta) at which the tip phase from (psi0, beta0) ends; ``floor`` is the height of a disk on the palm."""
-    step, nodes = HALF / (TIP_NODES - 1), TIP_NODES - 1
-    turn0, spin0 = _between(tables.turn, beta0 / step), _between(tables.spin, beta0 / step)
-    offset = psi0 - turn0
-    if _tip_room(hand, offset + tables.turn[nodes], HALF, floor) > 0.0:
-        return offset + tables.turn[nodes], HALF, theta0 + tables.spin[nodes] - spin0
-    first, last = int(beta0 / step), nodes
-    while last - first > 1:
-        middle = (first + last) // 2
-        if _tip_room(hand, offset + tables.turn[middle], middle * step, floor) > 0.0:
-            first = middle
-        else:
-            last = middle
-    beta = _tip_event(hand, tables, offset, max(first * step, beta0), last * step, floor)
-    return offset + _between(tables.turn, beta / step), beta, theta0 + _between(tables.spin, beta / step) - spin0
-
-
-@compiled
-def _tip_event(hand: ClosingHand, tables: Tables, offset: float, low: float, high: float, floor: float) -> float:
-    """beta in [low, high] where the room falls to 0: false position, its stale end halved (Illinois)."""
-    scale = (TIP_NODES - 1) / HALF
-    f_low = _tip_room(hand, offset + _between(tables.turn, low * scale), low, floor)
-    f_high = _tip_room(hand, offset + _between(tables.turn, high * scale), high, floor)
-    if f_low <= 0.0:
-        return low
-    for _ in range(40):
-        beta = high - f_high * (high - low) / (f_high - f_low)
-        room = _tip_room(hand, offset + _between(tables.turn, beta * scale), beta, floor)
-        if abs(room) <= 1e-15 * hand.length or abs(high - low) <= 1e-15:
-            return beta
-        if room * f_high < 0.0:
-            low, f_low = high, f_high
-        else:
-            f_low *= 0.5
-        high, f_high = beta, room
-    return high
-
-
-@compiled
-def _tip_place(hand: ClosingHand, psi: float, beta: float) -> tuple[float, float]:
-    """The disk's centre on the right tip."""
-    rho = hand.radius + hand.half_thickness
-    x = hand.half_palm + hand.length * cos(psi) - rho * sin(psi - beta)
-    return x, hand.length * sin(psi) + rho * cos(psi - beta)
-
-
-@compiled
-def _tip_room(hand: ClosingHand, psi: float, beta: float, floor: float) -> float:
-    """Length left before the tip phase ends: on the axis, on the palm, or at the end of travel."""
-    x, y = _tip_place(hand, psi, beta)
-    room = min(x, (hand.last - psi) * hand.length)
-    return min(room, y - floor) if psi > HALF else room
-
-
-@compiled
-def _between(values: Floats, position: float) -> float:
-    """Cubic interpolation in a table at equal steps."""
-    k = min(max(int(position), 1), len(values) - 3)
-    t = position - k
-    a, b, c, d = values[k - 1], values[k], values[k + 1], values[k + 2]
-    slope, bend, twist = c - b / 2.0 - a / 3.0 - d / 6.0, 0.5 * (a + c) - b, (d - a) / 6.0 + 0.5 * (b - c)
-    return b + t * (slope + t * (bend + t * twist))
 
 
 @compiled
@@ -323,7 +225,7 @@ def _palm(hand: ClosingHand, tables: Tables, alpha: float, psi: float, theta: fl
 @compiled
 def _palm_spin(tables: Tables, begin: float, end: float) -> float:
     scale = (PALM_NODES - 1) / (tables.palm_end - HALF)
-    return _between(tables.palm_spin, (end - HALF) * scale) - _between(tables.palm_spin, (begin - HALF) * scale)
+    return between(tables.palm_spin, (end - HALF) * scale) - between(tables.palm_spin, (begin - HALF) * scale)
 
 
 @compiled
@@ -347,10 +249,10 @@ def _palm_by_tip(hand: ClosingHand, tables: Tables, alpha: float, begin: float, 
         x = d + length * cos(psi) - rho * sqrt(max(1.0 - rise * rise, 0.0))
         return _wedged(hand, x, theta + _palm_spin(tables, begin, psi), psi)
     low, high = psi, pi - 1e-12
-    if not _tip_leaves(hand, tables, low):
+    if not tip_leaves(hand, tables, low):
         for _ in range(60):
             middle = 0.5 * (low + high)
-            if _tip_leaves(hand, tables, middle):
+            if tip_leaves(hand, tables, middle):
                 high = middle
             else:
                 low = middle
@@ -366,22 +268,8 @@ def _palm_by_tip(hand: ClosingHand, tables: Tables, alpha: float, begin: float, 
     theta += _palm_spin(tables, begin, stop)
     if stop >= hand.last:
         return _at_rest(hand, d + length * cos(stop) - rho * sqrt(max(1.0 - rise * rise, 0.0)), radius, theta, ESCAPED)
-    psi, beta, theta = _tip_phase(hand, tables, stop, max(stop - HALF - asin(rise), 0.0), theta, -np.inf)
+    psi, beta, theta = tip_phase(hand, tables, stop, max(stop - HALF - asin(rise), 0.0), theta, -np.inf)
     return _after_tip(hand, alpha, psi, beta, theta)
-
-
-@compiled
-def _tip_leaves(hand: ClosingHand, tables: Tables, psi: float) -> bool:
-    """Whether the tip alone would move a disk on the palm upwards."""
-    rho = hand.radius + hand.half_thickness
-    rise = (hand.length * sin(psi) - hand.radius) / rho
-    if rise <= -1.0:
-        return True
-    beta = psi - HALF - asin(min(rise, 1.0))
-    if beta >= HALF:
-        return True
-    rate = _between(tables.rate, max(beta, 0.0) / HALF * (TIP_NODES - 1))
-    return hand.length * cos(psi) - rho * (1.0 - rate) * sin(psi - beta) >= 0.0
 
 
 @numba.njit(parallel=True, cache=True, error_model="numpy")

@@ -125,6 +125,7 @@ def _fill_palm(hand: ClosingHand, surface: LimitSurface, spin: Floats, end: floa
 
 def build_tables(hand: ClosingHand, surface: LimitSurface) -> Tables:
     """Tables for one hand and disk; the limit surface matters only with friction."""
+    hand = ClosingHand(*map(float, hand))
     turn, spin, rate = np.zeros(TIP_NODES), np.zeros(TIP_NODES), np.zeros(TIP_NODES)
     palm_spin, palm_end = np.zeros(PALM_NODES), max(min(hand.last, pi - 1e-9), 0.5 * pi + 1e-9)
     _fill_tip(hand, surface, turn, spin, rate)

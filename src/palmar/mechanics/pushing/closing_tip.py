@@ -1,0 +1,96 @@
+"""One disk on one turning fingertip, followed through the table of its hand to where the tip phase ends."""
+
+from __future__ import annotations
+
+from math import asin, cos, pi, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.mechanics.pushing.closing_tables import TIP_NODES, ClosingHand, Tables
+from palmar.mechanics.pushing.compiled import compiled
+
+Floats = NDArray[np.float64]
+HALF = 0.5 * pi
+
+
+@compiled
+def tip_phase(
+    hand: ClosingHand, tables: Tables, psi0: float, beta0: float, theta0: float, floor: float
+) -> tuple[float, float, float]:
+    """(psi, beta, theta) at which the tip phase from (psi0, beta0) ends; ``floor`` is the height of a disk on the palm."""
+    step, nodes = HALF / (TIP_NODES - 1), TIP_NODES - 1
+    turn0, spin0 = between(tables.turn, beta0 / step), between(tables.spin, beta0 / step)
+    offset = psi0 - turn0
+    if _tip_room(hand, offset + tables.turn[nodes], HALF, floor) > 0.0:
+        return offset + tables.turn[nodes], HALF, theta0 + tables.spin[nodes] - spin0
+    first, last = int(beta0 / step), nodes
+    while last - first > 1:
+        middle = (first + last) // 2
+        if _tip_room(hand, offset + tables.turn[middle], middle * step, floor) > 0.0:
+            first = middle
+        else:
+            last = middle
+    beta = _tip_event(hand, tables, offset, max(first * step, beta0), last * step, floor)
+    return offset + between(tables.turn, beta / step), beta, theta0 + between(tables.spin, beta / step) - spin0
+
+
+@compiled
+def _tip_event(hand: ClosingHand, tables: Tables, offset: float, low: float, high: float, floor: float) -> float:
+    """beta in [low, high] where the room falls to 0: false position, its stale end halved (Illinois)."""
+    scale = (TIP_NODES - 1) / HALF
+    f_low = _tip_room(hand, offset + between(tables.turn, low * scale), low, floor)
+    f_high = _tip_room(hand, offset + between(tables.turn, high * scale), high, floor)
+    if f_low <= 0.0:
+        return low
+    for _ in range(40):
+        beta = high - f_high * (high - low) / (f_high - f_low)
+        room = _tip_room(hand, offset + between(tables.turn, beta * scale), beta, floor)
+        if abs(room) <= 1e-15 * hand.length or abs(high - low) <= 1e-15:
+            return beta
+        if room * f_high < 0.0:
+            low, f_low = high, f_high
+        else:
+            f_low *= 0.5
+        high, f_high = beta, room
+    return high
+
+
+@compiled
+def tip_place(hand: ClosingHand, psi: float, beta: float) -> tuple[float, float]:
+    """The disk's centre on the right tip."""
+    rho = hand.radius + hand.half_thickness
+    x = hand.half_palm + hand.length * cos(psi) - rho * sin(psi - beta)
+    return x, hand.length * sin(psi) + rho * cos(psi - beta)
+
+
+@compiled
+def _tip_room(hand: ClosingHand, psi: float, beta: float, floor: float) -> float:
+    """Length left before the tip phase ends: on the axis, on the palm, or at the end of travel."""
+    x, y = tip_place(hand, psi, beta)
+    room = min(x, (hand.last - psi) * hand.length)
+    return min(room, y - floor) if psi > HALF else room
+
+
+@compiled
+def tip_leaves(hand: ClosingHand, tables: Tables, psi: float) -> bool:
+    """Whether the tip alone would move a disk on the palm upwards."""
+    rho = hand.radius + hand.half_thickness
+    rise = (hand.length * sin(psi) - hand.radius) / rho
+    if rise <= -1.0:
+        return True
+    beta = psi - HALF - asin(min(rise, 1.0))
+    if beta >= HALF:
+        return True
+    rate = between(tables.rate, max(beta, 0.0) / HALF * (TIP_NODES - 1))
+    return hand.length * cos(psi) - rho * (1.0 - rate) * sin(psi - beta) >= 0.0
+
+
+@compiled
+def between(values: Floats, position: float) -> float:
+    """Cubic interpolation in a table at equal steps."""
+    k = min(max(int(position), 1), len(values) - 3)
+    t = position - k
+    a, b, c, d = values[k - 1], values[k], values[k + 1], values[k + 2]
+    slope, bend, twist = c - b / 2.0 - a / 3.0 - d / 6.0, 0.5 * (a + c) - b, (d - a) / 6.0 + 0.5 * (b - c)
+    return b + t * (slope + t * (bend + t * twist))

@@ -1,0 +1,42 @@
+"""Where a closing finger first meets a disk at rest, and whether the disk lies clear of the open hand."""
+
+from __future__ import annotations
+
+from math import acos, asin, atan2, cos, hypot, sin, sqrt
+
+import numpy as np
+
+from palmar.mechanics.pushing.closing_tables import ClosingHand
+from palmar.mechanics.pushing.compiled import compiled
+
+TOUCHING = 1e-9
+"""Overlaps at the start below this part of the radius count as touching."""
+
+
+@compiled
+def first_touch(d: float, length: float, rho: float, x: float, y: float) -> tuple[float, float]:
+    """(psi, r) at which the finger of base (d, 0) first meets a disk at rest at (x, y); r > length on the tip, NaN never."""
+    reach = hypot(x - d, y)
+    bearing = atan2(y, x - d)
+    if reach <= rho or reach > length + rho:
+        return np.nan, np.nan
+    along = sqrt(reach * reach - rho * rho)
+    if along <= length:
+        return bearing - asin(rho / reach), along
+    return bearing - acos((length * length + reach * reach - rho * rho) / (2.0 * length * reach)), along
+
+
+@compiled
+def overlaps(hand: ClosingHand, x: float, y: float) -> bool:
+    """Whether a disk at (x, y) overlaps the palm or either open finger."""
+    d, slack = hand.half_palm, hand.radius * TOUCHING
+    beside = max(abs(x) - d, 0.0)
+    if hypot(beside, y) < hand.radius - slack:
+        return True
+    c, s = cos(hand.first), sin(hand.first)
+    for side in (1.0, -1.0):
+        px = side * x - d
+        along = min(max(px * c + y * s, 0.0), hand.length)
+        if hypot(px - along * c, y - along * s) < hand.radius + hand.half_thickness - slack:
+            return True
+    return False
