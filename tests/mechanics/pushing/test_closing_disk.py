@@ -118,7 +118,9 @@ def test_only_disks_that_closure_allows_are_held(hand):
     if not structural and hand.friction == 0.0:
         assert not (ends.codes == Outcome.STRUCTURAL.code).any()
     if not frictional:
-        assert not (ends.codes == Outcome.FRICTIONAL.code).any()
+        # One finger and the palm may still wedge a disk beside the axis; what closure excludes is the symmetric hold.
+        held = ends.codes == Outcome.FRICTIONAL.code
+        assert (np.abs(ends.poses[held, 0]) > 1e-6 * hand.length).all()
 
 
 def test_without_friction_two_starts_never_spread_while_only_links_touch():
