@@ -14,7 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.models.support import Pressure
+
 Floats = NDArray[np.float64]
+PRESSURE_EXPONENT = {Pressure.UNIFORM: 0.0, Pressure.RIM: 1.0, Pressure.CENTRE: -1.0}
+"""Exponent e of the named distributions."""
 Cells = tuple[Floats, Floats, Floats]
 """Points (N, 2), weights (N,) with sum 1, spreads (N,)."""
 

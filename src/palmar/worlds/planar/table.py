@@ -13,13 +13,11 @@ from palmar.mechanics.closure.disk_2_2 import last_angle
 from palmar.mechanics.pushing.closing import Ends, close_disk
 from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables, build_tables
 from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, sampled_surface
-from palmar.mechanics.pushing.pressure_cells import disk_cells
+from palmar.mechanics.pushing.pressure_cells import PRESSURE_EXPONENT, disk_cells
 from palmar.models.case import Case
 from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import Disk
 from palmar.models.support import Pressure, Support, SupportKind
-
-_EXPONENTS = {Pressure.RIM: 4.0, Pressure.CENTRE: -1.0}
 
 
 @dataclass(frozen=True)
@@ -68,7 +66,7 @@ def pressure_surface(disk: Disk, support: Support) -> LimitSurface:
     """The limit surface of a disk under the support's pressure distribution."""
     if support.pressure is Pressure.UNIFORM:
         return disk_surface(disk.radius)
-    return sampled_surface(disk_cells(disk.radius, _EXPONENTS[support.pressure]))
+    return sampled_surface(disk_cells(disk.radius, PRESSURE_EXPONENT[support.pressure]))
 
 
 @dataclass(frozen=True)
