@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 import shutil
+from itertools import chain
 from pathlib import Path
-from subprocess import CalledProcessError
+from subprocess import DEVNULL, PIPE, Popen
 
 import numpy as np
-from matplotlib.animation import FFMpegWriter
-from matplotlib.figure import Figure
+from matplotlib.colors import to_rgb
 from PIL import Image
 
 from palmar.errors import InputError, OutputError
 from palmar.faces.exports.whole_file import write_whole
 from palmar.faces.pages.film_page import film_page
-from palmar.faces.plots.film_frames import HELD, RATE, frames
+from palmar.faces.plots.film_frames import HELD, RATE, frames, moments
 from palmar.faces.plots.film_scene import Scene, scene
+from palmar.faces.plots.style import Role
 from palmar.models.case import Case
 from palmar.studies.simulate import Simulation
 
 ENDINGS = (".gif", ".mp4", ".html")
-COLOURS = 96
+COLOURS = 64
 SAMPLES = 5
 """Pictures that the common palette of a GIF is made from."""
+NEARLY_WHITE = 248
+"""What is this light becomes the white of the paper."""
+SMALL = (Role.FORCE, Role.OBJECT, Role.SMALLEST, Role.HAND, Role.GHOST, Role.HELD, Role.LOST)
 
 
 def known_ending(path: Path) -> None:
@@ -52,32 +56,45 @@ def _html(path: Path, film: Scene) -> None:
 
 def _gif(path: Path, film: Scene) -> None:
     """All pictures in one palette without dithering, so that only what moves takes room."""
-    pictures = [Image.fromarray(each) for each in frames(film)]
-    width, height = pictures[0].size
-    picked = [pictures[k * (len(pictures) - 1) // (SAMPLES - 1)] for k in range(SAMPLES)]
-    joined = Image.new("RGB", (width, SAMPLES * height))
-    for k, each in enumerate(picked):
-        joined.paste(each, (0, k * height))
-    palette = joined.quantize(COLOURS, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-    colours = np.reshape(palette.getpalette() or [], (-1, 3))
-    colours[colours.sum(axis=1).argmax()] = 255  # the paper, which the median cut leaves slightly grey
-    palette.putpalette(colours.ravel().tolist())
-    flat = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in pictures]
-    durations = [1000 // RATE] * (len(flat) - 1) + [round(1000 * HELD)]
-    flat[0].save(path, format="GIF", save_all=True, append_images=flat[1:], duration=durations, loop=0, optimize=False)
+    times, palette = moments(film), _palette(film)
+    pictures = [
+        Image.fromarray(each).quantize(palette=palette, dither=Image.Dither.NONE) for each in frames(film, times)
+    ]
+    durations = [1000 // RATE] * (len(pictures) - 1) + [round(1000 * HELD)]
+    pictures[0].save(
+        path, format="GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0, optimize=True
+    )
+
+
+def _palette(film: Scene) -> Image.Image:
+    """The commonest colours of a few pictures, and exactly those of small things that these would miss."""
+    joined = Image.fromarray(np.concatenate(list(frames(film, np.linspace(0.0, film.duration, SAMPLES).tolist()))))
+    common = joined.quantize(COLOURS, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).getpalette() or []
+    exact = np.array([to_rgb("white"), *(to_rgb(role.line) for role in SMALL)])
+    rest = np.reshape(common[: 3 * COLOURS], (-1, 3))
+    rest = rest[rest.min(axis=1) < NEARLY_WHITE]
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(np.vstack((np.rint(255.0 * exact), rest)).astype(int).ravel().tolist())
+    return palette
 
 
 def _mp4(path: Path, film: Scene) -> None:
-    pictures = list(frames(film))
-    pictures += [pictures[-1]] * round(HELD * RATE)
-    height, width, _ = pictures[0].shape
-    figure = Figure(figsize=(width / 100.0, height / 100.0), dpi=100)
-    shown = figure.figimage(pictures[0])
-    writer = FFMpegWriter(fps=RATE, codec="h264", extra_args=["-f", "mp4", "-movflags", "+faststart"])
-    try:
-        with writer.saving(figure, str(path), 100):
-            for each in pictures:
-                shown.set_data(each)
-                writer.grab_frame()
-    except (CalledProcessError, RuntimeError) as error:
-        raise OutputError(f"{path}: ffmpeg could not make the film: {error}") from None
+    """The pictures through ffmpeg, one by one."""
+    times = moments(film)
+    pictures = frames(film, times + times[-1:] * round(HELD * RATE))
+    first = next(pictures)
+    height, width, _ = first.shape
+    taken = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", str(RATE), "-i", "-"]
+    made = ["-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", str(path)]
+    words = ["ffmpeg", "-y", "-loglevel", "error", *taken, *made]
+    with Popen(words, stdin=PIPE, stdout=DEVNULL, stderr=PIPE) as program:
+        assert program.stdin is not None
+        try:
+            for each in chain([first], pictures):
+                program.stdin.write(each.tobytes())
+        except BrokenPipeError:
+            pass  # ffmpeg gave up, its message says why
+        _, said = program.communicate()
+    if program.returncode:
+        lines = said.decode(errors="replace").split("\n")
+        raise OutputError(f"ffmpeg cannot make the film: {next(filter(None, lines), f'status {program.returncode}')}")

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from math import cos, sin
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.patches import Patch
 from matplotlib.text import Text
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FixedLocator
+from matplotlib.transforms import Affine2D
 from numpy.typing import NDArray
 
-from palmar.faces.plots.film_scene import Scene, angle_words, place_words
+from palmar.faces.plots.film_scene import Scene, angle_words, place_words, ticks
 from palmar.faces.plots.hand import JOINT_LEVEL, OBJECT_LEVEL, draw_finger, draw_object, draw_palm
 from palmar.faces.plots.sheet import MARGIN, MM, Pad, Room, Sheet, per_paper_mm, sheet
 from palmar.faces.plots.strokes import CENTRE_LINE, disc, stroke
 from palmar.faces.plots.style import FINE, HEADING_SIZE, NORMAL, SMALL_SIZE, TEXT_SIZE, Role
 from palmar.faces.words import headline
-from palmar.models.objects import Disk
 
 DPI = 120
 RATE = 20
@@ -29,46 +30,43 @@ HELD = 1.5
 ROOM = Room(Pad(4.0, 4.0, 4.0, 4.0), Pad(13.0, 11.0, 2.0, 3.0), Pad(0.0, 5.0, 0.0, 6.0), highest=160.0)
 MARK_SIZE, CONTACT_SIZE = 1.6, 2.0
 """Diameters on paper (mm)."""
+GONE_LEVEL, CONTACT_LEVEL = OBJECT_LEVEL + 0.3, JOINT_LEVEL + 1.0
 
 
-def frames(film: Scene) -> Iterator[NDArray[np.uint8]]:
-    """RGB pictures (height, width, 3), both sizes even, RATE to the film's second."""
-    title = headline("Closing", film.case)
-    page = sheet([[film.extent]], title=f"{title}, {_friction(film)}", room=ROOM)
-    axes = page.panels[0][0]
-    _ticks(axes)
-    _still(axes, film)
-    clock, event = _lines(page)
-    canvas = FigureCanvasAgg(page.figure)
-    page.figure.set_dpi(DPI)
-    canvas.draw()
-    box = page.figure.bbox
-    paper = canvas.copy_from_bbox(box)
-    for time in _moments(film):
-        canvas.restore_region(paper)
-        for artist in _moving(axes, film, time):
-            axes.draw_artist(artist)
-            artist.remove()
-        x, y, turn = _at(film, time)[0]
-        clock.set_text(f"t = {time:.2f} s    centre {place_words(x, y)}    turned {angle_words(turn)}")
-        event.set_text(_last_event(film, time))
-        event.set_color((Role.HELD if film.outcome.caught else Role.LOST).line if time == film.duration else "#1A1A1A")
-        for text in (clock, event):
-            page.figure.draw_artist(text)
-        picture = np.asarray(canvas.buffer_rgba())[:, :, :3]
-        yield picture[: len(picture) // 2 * 2, : picture.shape[1] // 2 * 2].copy()
-
-
-def _moments(film: Scene) -> list[float]:
-    """The motion's time (s) at each picture; the first is the start and the last the end."""
+def moments(film: Scene) -> list[float]:
+    """The motion's time (s) at each picture, RATE to the film's second; the first is the start and the last the end."""
     count = round(film.duration / film.pace * RATE)
     return [*np.linspace(0.0, film.duration, count + 1).tolist()] if count else [film.duration]
 
 
-def _at(film: Scene, time: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Pose (m, m, rad) and base angles right and left at any time, linear between the poses."""
-    pose = tuple(float(np.interp(time, film.times, column)) for column in film.poses.T)
-    return pose, tuple(float(np.interp(time, film.times, column)) for column in film.fingers.T)
+def frames(film: Scene, times: Sequence[float]) -> Iterator[NDArray[np.uint8]]:
+    """RGB pictures (height, width, 3) of the motion at these times (s), both sizes even."""
+    title = headline("Closing", film.case)
+    page = sheet([[film.extent]], title=f"{title}, {_friction(film)}", room=ROOM)
+    axes = page.panels[0][0]
+    _ticks(axes, film)
+    _still(axes, film)
+    clock, event = _lines(page)
+    pace = "" if film.pace == 1.0 else f" ({film.pace_words})"
+    moving = _Moving(axes, film)
+    canvas: Any = FigureCanvasAgg(page.figure)
+    page.figure.set_dpi(DPI)
+    canvas.draw()
+    box = page.figure.bbox
+    paper = canvas.copy_from_bbox(box)
+    for time in times:
+        canvas.restore_region(paper)
+        moving.draw(time)
+        x, y, turn = film.at(time)[0]
+        clock.set_text(f"t = {time:.2f} s{pace}    centre {place_words(x, y)}    turned {angle_words(turn)}")
+        event.set_text(_last_event(film, time))
+        event.set_color(
+            (Role.HELD if film.outcome.caught else Role.LOST).line if time == film.duration else Role.CAPTION.line
+        )
+        for text in (clock, event):
+            page.figure.draw_artist(text)
+        picture = np.asarray(canvas.buffer_rgba())[:, :, :3]
+        yield picture[: len(picture) // 2 * 2, : picture.shape[1] // 2 * 2].copy()
 
 
 def _friction(film: Scene) -> str:
@@ -86,40 +84,73 @@ def _last_event(film: Scene, time: float) -> str:
 
 
 def _still(axes: Axes, film: Scene) -> None:
-    """Axis of symmetry, palm, where the object started, and the way of its centre."""
+    """Axis of symmetry, where the object started, and the way of its centre."""
     low, high = axes.get_ylim()
     stroke(axes, [(0.0, low), (0.0, high)], Role.GHOST, level=0.0, dashes=CENTRE_LINE)
     x, y, turn = film.poses[0]
     draw_object(axes, film.case.object, (x, y), turn, ghost=True, mark=False, level=0.5)
-    draw_palm(axes, film.case.hand)
     if film.duration:
         stroke(axes, MM * film.poses[:, :2], Role.GHOST, level=0.6, width=NORMAL)
 
 
-def _moving(axes: Axes, film: Scene, time: float) -> list[Artist]:
-    """The artists of one moment, lowest first."""
+class _Moving:
+    """What moves and what lies on it, made once: rigid groups, the way gone so far, a dot for every contact."""
+
+    def __init__(self, axes: Axes, film: Scene) -> None:
+        self.axes, self.film, hand = axes, film, film.case.hand
+        self.thing = _made(axes, lambda: _object(axes, film))
+        self.right = _made(axes, lambda: draw_finger(axes, hand, (0.0,)))
+        self.left = _made(axes, lambda: draw_finger(axes, hand, (0.0,), left=True))
+        (self.gone,) = _made(axes, lambda: stroke(axes, [(0.0, 0.0)], Role.SMALLEST, level=GONE_LEVEL, width=NORMAL))
+        palm = _made(axes, lambda: draw_palm(axes, hand))
+        most = max(len(each) for each in film.contacts)
+        self.dots = [_dot(axes, (0.0, 0.0), CONTACT_SIZE, Role.FORCE, CONTACT_LEVEL) for _ in range(most)]
+        every = [*self.thing, *palm, *self.left, *self.right, self.gone, *self.dots]
+        self.artists = sorted(every, key=lambda each: float(each.get_zorder()))
+        for artist in every:
+            artist.set_animated(True)
+
+    def draw(self, time: float) -> None:
+        """Draw the moment (s) onto the canvas."""
+        film, base = self.film, MM * self.film.case.hand.half_palm
+        (x, y, turn), (right, left) = film.at(time)
+        self._place(self.thing, Affine2D().rotate(turn).translate(MM * x, MM * y))
+        self._place(self.right, Affine2D().rotate_around(base, 0.0, right))
+        self._place(self.left, Affine2D().rotate_around(-base, 0.0, -left))
+        self.gone.set(data=MM * np.vstack((film.poses[film.times < time, :2], (x, y))).T)
+        points = film.contacts[film.index(time)]
+        for k, dot in enumerate(self.dots):
+            dot.set_visible(k < len(points))
+            if k < len(points):
+                self._place([dot], Affine2D().translate(MM * points[k][0], MM * points[k][1]))
+        for artist in self.artists:
+            self.axes.draw_artist(artist)
+
+    def _place(self, artists: list[Artist], motion: Affine2D) -> None:
+        for artist in artists:
+            artist.set_transform(motion + self.axes.transData)
+
+
+def _made(axes: Axes, draw: Callable[[], object]) -> list[Any]:
+    """The artists that ``draw`` adds."""
     before = set(axes.get_children())
-    (x, y, turn), (right, left) = _at(film, time)
-    draw_object(axes, film.case.object, (x, y), turn, fill=0.85)
-    item = film.case.object
-    far = item.radius if isinstance(item, Disk) else 0.6 * float(np.linalg.norm(item.vertices, axis=1).min())
-    mark = MM * np.array([(x, y), (x + far * cos(turn), y + far * sin(turn))])
-    stroke(axes, mark, Role.OBJECT, level=OBJECT_LEVEL + 0.1, width=NORMAL)
-    _dot(axes, mark[0] + 0.8 * (mark[1] - mark[0]), MARK_SIZE, Role.OBJECT, OBJECT_LEVEL + 0.2)
-    past = np.vstack((film.poses[film.times < time, :2], (x, y)))
-    if np.ptp(past, axis=0).max() > 0.0:
-        stroke(axes, MM * past, Role.SMALLEST, level=OBJECT_LEVEL + 0.3, width=NORMAL)
-    for psi, is_left in ((left, True), (right, False)):
-        draw_finger(axes, film.case.hand, (psi,), left=is_left)
-    for point in film.contacts[int(np.searchsorted(film.times, time, side="right")) - 1]:
-        _dot(axes, MM * np.array(point), CONTACT_SIZE, Role.FORCE, JOINT_LEVEL + 1.0)
-    new = [each for each in axes.get_children() if each not in before]
-    return sorted(new, key=lambda each: float(each.get_zorder()))
+    draw()
+    return [each for each in axes.get_children() if each not in before]
 
 
-def _dot(axes: Axes, place: NDArray[np.float64], size: float, role: Role, level: float) -> None:
+def _object(axes: Axes, film: Scene) -> None:
+    """The object about its frame's origin, with a mark that shows its turn."""
+    draw_object(axes, film.case.object, (0.0, 0.0), fill=0.85)
+    far = MM * film.mark
+    stroke(axes, [(0.0, 0.0), (far, 0.0)], Role.OBJECT, level=OBJECT_LEVEL + 0.1, width=NORMAL)
+    _dot(axes, (0.8 * far, 0.0), MARK_SIZE, Role.OBJECT, OBJECT_LEVEL + 0.2)
+
+
+def _dot(axes: Axes, place: tuple[float, float], size: float, role: Role, level: float) -> Patch:
     """A solid dot, ``size`` mm across on paper, at a place in mm."""
-    disc(axes, place, 0.5 * size * per_paper_mm(axes), role, level=level, width=FINE).set_facecolor(role.line)
+    dot = disc(axes, place, 0.5 * size * per_paper_mm(axes), role, level=level, width=FINE)
+    dot.set_facecolor(role.line)
+    return dot
 
 
 def _lines(page: Sheet) -> tuple[Text, Text]:
@@ -132,10 +163,11 @@ def _lines(page: Sheet) -> tuple[Text, Text]:
     return clock, event
 
 
-def _ticks(axes: Axes) -> None:
+def _ticks(axes: Axes, film: Scene) -> None:
     axes.set_axis_on()
     for axis, name in ((axes.xaxis, "x (mm)"), (axes.yaxis, "y (mm)")):
-        axis.set_major_locator(MaxNLocator(nbins=8, steps=[1, 2, 5, 10]))
+        low, high = axis.get_view_interval()
+        axis.set_major_locator(FixedLocator(ticks(1e-3 * low, 1e-3 * high, film.extent)))
         axis.set_label_text(name, fontsize=TEXT_SIZE, color=Role.DIMENSION.line)
     axes.tick_params(labelsize=SMALL_SIZE, width=FINE, color=Role.DIMENSION.line, labelcolor=Role.DIMENSION.line)
     axes.ticklabel_format(style="plain", useOffset=False)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import degrees, log
+from math import ceil, degrees, floor, log, log10
 
 import numpy as np
 from numpy.typing import NDArray
 
 from palmar.faces.plots.hand import finger_points
-from palmar.faces.plots.sheet import Extent
+from palmar.faces.plots.sheet import MM, Extent
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
@@ -17,9 +17,9 @@ from palmar.studies.simulate import Simulation, film
 
 Floats = NDArray[np.float64]
 
-FRAMES = 361
+FRAMES = 241
 """Poses over the whole closing motion, a motion that ends earlier has fewer."""
-SHORTEST, LONGEST, MIDDLE = 3.0, 12.0, 6.0
+SHORTEST, LONGEST, MIDDLE = 3.0, 10.0, 6.0
 """A motion that takes between the first two (s) is shown in real time, any other in about the third."""
 SIDES = {"right": 1.0, "left": -1.0}
 
@@ -57,6 +57,23 @@ class Scene:
     def duration(self) -> float:
         """Length of the motion (s)."""
         return float(self.times[-1])
+
+    @property
+    def mark(self) -> float:
+        """Length (m) of a line from the object's origin that shows its turn."""
+        item = self.case.object
+        return item.radius if isinstance(item, Disk) else 0.6 * float(np.linalg.norm(item.vertices, axis=1).min())
+
+    def index(self, time: float) -> int:
+        """The last pose that is not later than ``time`` (s)."""
+        return int(np.searchsorted(self.times, time, side="right")) - 1
+
+    def at(self, time: float) -> tuple[tuple[float, float, float], tuple[float, float]]:
+        """Pose (m, m, rad) and base angles right and left (rad) at any time (s), linear between the poses."""
+        x, y, turn, right, left = (
+            float(np.interp(time, self.times, column)) for column in (*self.poses.T, *self.fingers.T)
+        )
+        return (x, y, turn), (right, left)
 
     @property
     def verdict(self) -> str:
@@ -101,6 +118,15 @@ def scene(case: Case, start: tuple[float, float], result: Simulation) -> Scene:
         case, result.outcome, times / rate, poses, fingers, _contacts(case, times + first, poses, fingers, result),
         tuple((time, _words(event.kind, event.body)) for time, event in result.events), _pace((end - first) / rate),
     )  # fmt: skip
+
+
+def ticks(low: float, high: float, extent: Extent) -> list[float]:
+    """Round numbers of mm between two lengths (m), at a distance that suits the whole extent in both directions."""
+    rough = MM * max(extent.size) / 10.0
+    unit = 10.0 ** floor(log10(rough))
+    step = next(each for each in (1.0, 2.0, 5.0, 10.0) if each * unit >= rough) * unit
+    numbers = np.arange(ceil(MM * low / step - 1e-9), floor(MM * high / step + 1e-9) + 1)
+    return [float(each) for each in numbers * step]
 
 
 def place_words(x: float, y: float) -> str:
