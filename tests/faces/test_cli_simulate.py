@@ -124,7 +124,6 @@ def test_a_file_of_starts_gives_one_result_a_row_in_order(palmar, tmp_path):
     assert told[told.index("starts") + 1] == "4"
 
 
-@pytest.mark.xfail(reason="numpy's warning about the empty rest of the file reaches the user", raises=UserWarning)
 def test_a_file_with_a_heading_only_has_no_results(palmar, tmp_path):
     path = starts(tmp_path / "s.csv", "x_mm,y_mm\n")
     assert palmar("simulate", CASE, "--starts", path, "--json").record == {"results": []}

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import csv
 import math
+import warnings
 from pathlib import Path
+from typing import TextIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,10 +28,7 @@ def read_starts(path: Path) -> NDArray[np.float64]:
         with path.open(newline="", encoding="utf-8") as file:
             heads = [each.strip() for each in next(csv.reader(file), [])]
             _check_heads(path, heads)
-            try:
-                values = np.loadtxt(file, delimiter=",", ndmin=2)
-            except ValueError:
-                values = None
+            values = _numbers(file)
         if values is None or (values.size and values.shape[1] != len(heads)) or not np.isfinite(values).all():
             raise _first_bad_line(path, heads)
     except OSError as error:
@@ -41,6 +40,16 @@ def read_starts(path: Path) -> NDArray[np.float64]:
         if name in heads and values.size:
             starts[:, column] = scale * values[:, heads.index(name)]
     return starts
+
+
+def _numbers(file: TextIO) -> NDArray[np.float64] | None:
+    """The rest of the file as rows of numbers, none of them where it is blank; None where it cannot be read so."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # numpy remarks on a file with a heading alone
+        try:
+            return np.loadtxt(file, delimiter=",", ndmin=2)
+        except ValueError:
+            return None
 
 
 def _check_heads(path: Path, heads: list[str]) -> None:
