@@ -152,6 +152,26 @@ def test_the_limit_surface_matters_little_and_only_with_friction():
     assert np.array_equal(*smooth)
 
 
+@pytest.mark.parametrize("friction", [0.0, 0.3, 0.7])
+def test_stopping_earlier_shows_the_way_there(friction):
+    """Stopped at each of many angles, the disk is found on one continuous path, clear of the fingers."""
+    hand = example(friction)
+    tables = build_tables(hand, SURFACE)
+    starts = np.concatenate([random_starts(hand, 40, 5), [(-2.2841, 0.5), (2.2835, 0.5), (0.4, 1.9)]])
+    angles = np.linspace(0.0, pi, 4001)
+    poses = np.stack([close_disk(hand._replace(last=each), SURFACE, starts, tables).poses for each in angles])
+    steps = np.linalg.norm(np.diff(poses[:, :, :2], axis=0), axis=2)
+    assert steps.max() < 0.05
+    for side in (1.0, -1.0):
+        c, s = np.cos(angles)[:, None], np.sin(angles)[:, None]
+        px, py = side * poses[:, :, 0] - 1.0, poses[:, :, 1]
+        along = np.clip(px * c + py * s, 0.0, 2.0)
+        gap = np.hypot(px - along * c, py - along * s) - 0.5
+        codes = close_disk(hand, SURFACE, starts, tables).codes
+        free = np.isin(codes, [Outcome.ESCAPED.code])
+        assert gap[:, free].min() > -1e-9
+
+
 def test_odd_starts():
     found, _ = outcomes(example(0.4), [(0.0, 0.4), (2.0, 0.2), (5.0, 5.0), (0.0, -3.0), (0.0, 0.5)])
     assert found[:4] == [Outcome.INVALID, Outcome.INVALID, Outcome.MISSED, Outcome.MISSED]

@@ -30,7 +30,7 @@ def simulate(
     velocity: Annotated[Text, Parameter(help="VX,VY in mm/s.")] = None,
     starts: Annotated[Path | None, Parameter(help="A CSV file: x_mm,y_mm[,theta_deg,vx_mm_s,vy_mm_s].")] = None,
     world: Annotated[Literal["planar"], Parameter(help="The physics.")] = "planar",
-    animate: Annotated[Path | None, Parameter(help="Also write a film: gif or html.")] = None,
+    animate: Annotated[Path | None, Parameter(help="Also write a film: gif, html, or mp4 (needs ffmpeg).")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
@@ -48,6 +48,10 @@ def simulate(
         show(titled(name, given, _counts(ends.codes)), starts_record(ends), json)
         answer(all(caught), check)
         return
+    if animate is not None:
+        from palmar.faces.plots.film import known_ending
+
+        known_ending(animate)
     begin = _place(given, start, velocity)
     result = simulate_start(given, begin)
     if animate is not None:

@@ -16,10 +16,9 @@ leaves these phases the start is handed over too (``UNDECIDED``).
 
 from __future__ import annotations
 
-from math import asin, atan2, cos, hypot, pi, sin, sqrt
+from math import acos, asin, atan2, cos, hypot, pi, sin, sqrt
 from typing import NamedTuple
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -139,11 +138,15 @@ def _both_links(hand: ClosingHand, alpha: float, psi: float) -> End:
     grip = HALF - alpha
     if psi < grip and alpha > 0.0 and rho * cos(alpha) - d <= length * sin(alpha):
         psi = grip
-    if psi >= grip and alpha > 0.0:
+    tip = asin(min(d / hypot(rho, length), 1.0)) + atan2(length, rho)
+    holds = psi >= grip and alpha > 0.0
+    if (psi if holds else tip) > hand.last:
+        y = (rho - d * sin(hand.last)) / cos(hand.last)
+        return End(ESCAPED, 0.0, y, 0.0, hand.last, hand.last)
+    if holds:
         y = (rho - d * sin(psi)) / cos(psi) if abs(psi - HALF) > 1e-9 else length
         return End(FRICTIONAL, 0.0, y, 0.0, psi, psi)
-    tip = asin(min(d / hypot(rho, length), 1.0)) + atan2(length, rho)
-    return _both_tips(hand, alpha, min(max(psi, tip), hand.last), tip - HALF)
+    return _both_tips(hand, alpha, max(psi, tip), tip - HALF)
 
 
 @compiled
@@ -154,8 +157,10 @@ def _both_tips(hand: ClosingHand, alpha: float, psi: float, e: float) -> End:
         return End(FRICTIONAL, 0.0, length * sin(psi) - rho * sin(e), 0.0, psi, psi)
     if e > 0.0:
         return _down_the_axis(hand)
-    top = sqrt(max((length + rho) ** 2 - d * d, 0.0))
-    return End(ESCAPED, 0.0, top, 0.0, hand.last, hand.last)
+    leaves = min(hand.last, acos(-min(d / (length + rho), 1.0)))
+    tip_x = d + length * cos(leaves)
+    y = length * sin(leaves) + sqrt(max(rho * rho - tip_x * tip_x, 0.0))
+    return End(ESCAPED, 0.0, y, 0.0, hand.last, hand.last)
 
 
 @compiled
@@ -270,15 +275,3 @@ def _palm_by_tip(hand: ClosingHand, tables: Tables, alpha: float, begin: float, 
         return _at_rest(hand, d + length * cos(stop) - rho * sqrt(max(1.0 - rise * rise, 0.0)), radius, theta, ESCAPED)
     psi, beta, theta = tip_phase(hand, tables, stop, max(stop - HALF - asin(rise), 0.0), theta, -np.inf)
     return _after_tip(hand, alpha, psi, beta, theta)
-
-
-@numba.njit(parallel=True, cache=True, error_model="numpy")
-def close_on_disks(
-    hand: ClosingHand, tables: Tables, alpha: float, starts: Floats, codes: NDArray[np.int8], ends: Floats
-) -> None:
-    """Batch: ``starts`` (N, 2) -> ``codes`` (N,) and ``ends`` (N, 5) = x, y, theta, right, left; parallel, no order."""
-    for k in numba.prange(len(starts)):
-        end = close_on_disk(hand, tables, alpha, starts[k, 0], starts[k, 1])
-        codes[k] = end.code
-        ends[k, 0], ends[k, 1], ends[k, 2] = end.x, end.y, end.theta
-        ends[k, 3], ends[k, 4] = end.right, end.left
