@@ -123,7 +123,7 @@ def _link_root(
         step = psi - value / slope if slope != 0.0 else low
         if not low < step < high:
             step = 0.5 * (low + high)
-        if abs(step - psi) <= 1e-15 * high:
+        if abs(step - psi) <= 1e-12:
             return step
         psi = step
     return psi

@@ -39,12 +39,16 @@ class ClosingHand(NamedTuple):
 class Tables(NamedTuple):
     """``turn`` and ``spin``: psi and the disk's angle since beta = 0, at equal steps of beta up to 90 degrees.
 
-    ``rate`` is dbeta/dpsi there. ``palm_spin``: the disk's angle at equal steps of psi from 90 degrees to ``palm_end``.
+    ``rate`` is dbeta/dpsi there; ``path_x``, ``path_y`` the disk's centre from the base joint if psi is 0 at beta = 0:
+    any other tip phase is this path turned about the joint. ``palm_spin``: the disk's angle at equal steps of psi from
+    90 degrees to ``palm_end``.
     """
 
     turn: Floats
     spin: Floats
     rate: Floats
+    path_x: Floats
+    path_y: Floats
     palm_spin: Floats
     palm_end: float
 
@@ -131,4 +135,7 @@ def build_tables(hand: ClosingHand, surface: LimitSurface) -> Tables:
     _fill_tip(hand, surface, turn, spin, rate)
     if hand.friction > 0.0:
         _fill_palm(hand, surface, palm_spin, palm_end)
-    return Tables(turn, spin, rate, palm_spin, palm_end)
+    rho, across = hand.radius + hand.half_thickness, turn - np.linspace(0.0, 0.5 * pi, TIP_NODES)
+    path_x = hand.length * np.cos(turn) - rho * np.sin(across)
+    path_y = hand.length * np.sin(turn) + rho * np.cos(across)
+    return Tables(turn, spin, rate, path_x, path_y, palm_spin, palm_end)

@@ -22,12 +22,13 @@ def tip_phase(
     step, nodes = HALF / (TIP_NODES - 1), TIP_NODES - 1
     turn0, spin0 = between(tables.turn, beta0 / step), between(tables.spin, beta0 / step)
     offset = psi0 - turn0
-    if _tip_room(hand, offset + tables.turn[nodes], HALF, floor) > 0.0:
+    c, s = cos(offset), sin(offset)
+    if _room_at(hand, tables, offset, c, s, nodes, floor) > 0.0:
         return offset + tables.turn[nodes], HALF, theta0 + tables.spin[nodes] - spin0
     first, last = int(beta0 / step), nodes
     while last - first > 1:
         middle = (first + last) // 2
-        if _tip_room(hand, offset + tables.turn[middle], middle * step, floor) > 0.0:
+        if _room_at(hand, tables, offset, c, s, middle, floor) > 0.0:
             first = middle
         else:
             last = middle
@@ -38,15 +39,15 @@ def tip_phase(
 @compiled
 def _tip_event(hand: ClosingHand, tables: Tables, offset: float, low: float, high: float, floor: float) -> float:
     """beta in [low, high] where the room falls to 0: false position, its stale end halved (Illinois)."""
-    scale = (TIP_NODES - 1) / HALF
-    f_low = _tip_room(hand, offset + between(tables.turn, low * scale), low, floor)
-    f_high = _tip_room(hand, offset + between(tables.turn, high * scale), high, floor)
+    c, s = cos(offset), sin(offset)
+    f_low = _room_between(hand, tables, offset, c, s, low, floor)
+    f_high = _room_between(hand, tables, offset, c, s, high, floor)
     if f_low <= 0.0:
         return low
     for _ in range(40):
         beta = high - f_high * (high - low) / (f_high - f_low)
-        room = _tip_room(hand, offset + between(tables.turn, beta * scale), beta, floor)
-        if abs(room) <= 1e-15 * hand.length or abs(high - low) <= 1e-15:
+        room = _room_between(hand, tables, offset, c, s, beta, floor)
+        if abs(room) <= 1e-14 * hand.length or abs(high - low) <= 1e-15:
             return beta
         if room * f_high < 0.0:
             low, f_low = high, f_high
@@ -65,9 +66,26 @@ def tip_place(hand: ClosingHand, psi: float, beta: float) -> tuple[float, float]
 
 
 @compiled
-def _tip_room(hand: ClosingHand, psi: float, beta: float, floor: float) -> float:
+def _room_at(hand: ClosingHand, tables: Tables, offset: float, c: float, s: float, k: int, floor: float) -> float:
+    """Length left at a node of the table, the path turned by ``offset`` with cosine c and sine s."""
+    u, v = tables.path_x[k], tables.path_y[k]
+    return _room(hand, offset + tables.turn[k], hand.half_palm + c * u - s * v, s * u + c * v, floor)
+
+
+@compiled
+def _room_between(
+    hand: ClosingHand, tables: Tables, offset: float, c: float, s: float, beta: float, floor: float
+) -> float:
+    """The same between nodes."""
+    position = beta / HALF * (TIP_NODES - 1)
+    u, v = between(tables.path_x, position), between(tables.path_y, position)
+    turn = between(tables.turn, position)
+    return _room(hand, offset + turn, hand.half_palm + c * u - s * v, s * u + c * v, floor)
+
+
+@compiled
+def _room(hand: ClosingHand, psi: float, x: float, y: float, floor: float) -> float:
     """Length left before the tip phase ends: on the axis, on the palm, or at the end of travel."""
-    x, y = tip_place(hand, psi, beta)
     room = min(x, (hand.last - psi) * hand.length)
     return min(room, y - floor) if psi > HALF else room
 
