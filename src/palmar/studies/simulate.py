@@ -12,7 +12,7 @@ from palmar.mechanics.pushing.closing import Ends
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
 from palmar.worlds.planar.events import Event, events
-from palmar.worlds.planar.table import TableWorld, Trace, table_world, trace
+from palmar.worlds.planar.table import TableWorld, Trace, covered, table_world, trace
 
 
 @dataclass(frozen=True)
@@ -32,17 +32,15 @@ def simulate_start(case: Case, start: ArrayLike) -> Simulation:
     Raises NotCoveredError for cases that no kernel carries.
     """
     place = _places(case, np.atleast_2d(np.asarray(start, dtype=float)))
-    world = table_world(case)
-    ends = world.ends(place[:, :2])
+    ends = _ends(case, place)
     outcome = Outcome.from_code(int(ends.codes[0]))
-    begin = (float(place[0, 0]), float(place[0, 1]))
-    found = events(world, begin, outcome.value) if outcome is not Outcome.INVALID else ()
+    found = _events(case, place[0], outcome) if outcome is not Outcome.INVALID else ()
     x, y, theta = (float(each) for each in ends.poses[0])
     straight = (0.0,) * (len(case.hand.finger_links) - 1)
     right, left = (float(each) for each in ends.fingers[0])
     return Simulation(
         outcome,
-        (x, y, theta + float(place[0, 2])),
+        (x, y, theta),
         (left, *straight),
         (right, *straight),
         tuple(((each.psi - case.hand.open) / case.hand.finger_rate, each) for each in found),
@@ -52,10 +50,28 @@ def simulate_start(case: Case, start: ArrayLike) -> Simulation:
 def simulate_starts(case: Case, starts: ArrayLike) -> Ends:
     """Simulate starts (N, 2 to 5) in SI: x, y[, theta[, vx, vy]]."""
     places = _places(case, np.atleast_2d(np.asarray(starts, dtype=float)))
+    return _ends(case, places)
+
+
+def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
+    """Event to event where that kernel covers the case, else in steps."""
+    if not covered(case):
+        from palmar.worlds.planar.stepping import stepping_world
+
+        return stepping_world(case).ends(places)
     ends = table_world(case).ends(places[:, :2])
     poses = ends.poses.copy()
     poses[:, 2] += places[:, 2]
     return Ends(ends.codes, poses, ends.fingers)
+
+
+def _events(case: Case, place: NDArray[np.float64], outcome: Outcome) -> tuple[Event, ...]:
+    x, y, theta = (float(each) for each in place)
+    if not covered(case):
+        from palmar.worlds.planar.stepping import stepping_world
+
+        return stepping_world(case).events((x, y, theta), outcome.value)
+    return events(table_world(case), (x, y), outcome.value)
 
 
 def film(case: Case, start: tuple[float, float], frames: int) -> tuple[TableWorld, Trace]:

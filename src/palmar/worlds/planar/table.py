@@ -34,22 +34,29 @@ class TableWorld:
         return close_disk(hand, self.surface, starts, self.tables)
 
 
-def table_world(case: Case) -> TableWorld:
-    """The world of a case; raises NotCoveredError with the part that it does not cover."""
+def refuse_uncovered(case: Case) -> None:
+    """Raise NotCoveredError for cases that no planar kernel carries on a table."""
     if case.support.kind is not SupportKind.TABLE:
         raise NotCoveredError('support.kind = "free": this world is the table')
     if case.ranges:
         raise NotCoveredError("a simulation takes plain numbers, not ranges")
-    if not isinstance(case.object, Disk):
-        raise NotCoveredError('object.shape = "polygon": this world carries disks')
-    if case.support.pressure_centre != (0.0, 0.0):
-        raise NotCoveredError("support.pressure_centre_mm: this world has the pressure centred under the disk")
+    if isinstance(case.object, Disk) and case.support.pressure_centre != (0.0, 0.0):
+        raise NotCoveredError("support.pressure_centre_mm: this world has the pressure centred under a disk")
+
+
+def covered(case: Case) -> bool:
+    """Whether the event-to-event kernel carries the case: disks, and with friction only crossing line fingers."""
+    refuse_uncovered(case)
+    plain = case.contact.friction == 0.0
+    lines = case.hand.half_thickness == 0.0 and case.hand.fingers is Fingers.CROSSING
+    return isinstance(case.object, Disk) and (plain or lines)
+
+
+def table_world(case: Case) -> TableWorld:
+    """The event-to-event world of a case; raises NotCoveredError where it does not cover it."""
+    if not covered(case) or not isinstance(case.object, Disk):
+        raise NotCoveredError("this needs a disk, and with friction crossing line fingers")
     hand = closing_hand(case.hand, case.object.radius, case.contact.friction)
-    rough = hand.friction > 0.0
-    if rough and hand.half_thickness > 0.0:
-        raise NotCoveredError("hand.finger_thickness_mm: with friction this world has line fingers")
-    if rough and case.hand.fingers is Fingers.COLLIDING:
-        raise NotCoveredError('hand.fingers = "colliding": with friction this world has crossing fingers')
     surface = pressure_surface(case.object, case.support)
     return TableWorld(hand, surface, build_tables(hand, surface))
 

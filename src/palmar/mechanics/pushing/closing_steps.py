@@ -1,0 +1,295 @@
+"""A closing hand carries a disk or convex polygon on a table through its motion, step by step, to the end.
+
+Any hand of ``hand_pose``, any limit surface, any friction. Quasi-static: the object moves only while it is pushed; its
+twist follows from the contacts that touch (``closing_motion``), strides end where a new contact begins
+(``closing_stride``), and after each the contacts that carry load are shifted back to gap zero, which only removes the
+drift of that stride. Where no motion is admissible the object is jammed: a finger without which there is a motion
+stalls, else both do. A finger that has stalled stays where it is, a rigid wall; the other goes on.
+
+Where Coulomb's law admits several motions, the one nearest to the last is followed and the others after it, up to
+``DEEPEST`` such choices in a row; the worst end counts, and the start is flagged.
+
+Right to the tolerance (finger lengths per stride), but for contacts that came and went within ``closing_stride.FINEST``.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from math import inf, isfinite
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.mechanics.pushing import closing_end
+from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
+from palmar.mechanics.pushing.closing_jam import stall
+from palmar.mechanics.pushing.closing_motion import (
+    DEPTH,
+    FENCE,
+    FLAGS,
+    KINK,
+    LEFT,
+    LOGGED,
+    MOST_BRANCHES,
+    OMEGA,
+    RIGHT,
+    SEVERAL,
+    THETA,
+    TIME,
+    TOUCHED,
+    VX,
+    VY,
+    Bench,
+    Scale,
+    X,
+    Y,
+    bench,
+    full_twist,
+    scale_of,
+    write_contacts,
+)  # fmt: skip
+from palmar.mechanics.pushing.closing_stride import (
+    FIRST_STRIDE,
+    LONGEST_STRIDE,
+    first_change,
+    first_touch,
+    pose_after,
+    stride,
+)
+from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of, place_links
+from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
+from palmar.mechanics.pushing.polygon_contacts import Body, link_of, scan, side_of, write_contact
+from palmar.models.outcome import Outcome
+
+Floats = NDArray[np.float64]
+INVALID, UNDECIDED = Outcome.INVALID.code, Outcome.UNDECIDED.code
+TOLERANCE = 1e-7
+MOST_STEPS = 4000
+DEEPEST = 3
+ROWS_PER_TASK = 64
+SWEEPS = 40
+RANGE = 0.01
+"""Part of ``TOUCH`` by which a contact is past its range when that is noticed."""
+AMBIGUOUS, CUT_SHORT, UNSOLVED = 1, 2, 4
+"""Flags: several motions were admissible somewhere; not all were followed; the search for one did not converge."""
+
+
+class End(NamedTuple):
+    """Outcome code; final pose in the table's frame, where the hand's started; base angles; flags."""
+
+    code: int
+    x: float
+    y: float
+    theta: float
+    right: float
+    left: float
+    flags: int
+
+
+@compiled
+def _look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) -> tuple[float, int]:
+    """Make the contacts that touch at the state the active ones; returns (least gap, their number)."""
+    s = at.state
+    place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
+    free, near, count = scan(
+        body, at.links, len(hand.links), scale.skin, s[X], s[Y], s[THETA], at.active, 0, touch, at.found
+    )
+    changed = False
+    for k in range(count):
+        changed = changed or at.active[k] != at.found[k]
+        at.active[k] = at.found[k]
+        at.sides[k] = side_of(body, at.links, at.active[k], s[X], s[Y], s[THETA])
+        if finger_of(hand, link_of(at.active[k])) >= 0:
+            s[TOUCHED] = 1.0
+    if changed:
+        s[SEVERAL], s[FENCE], s[KINK] = 0.0, inf, inf
+    return min(free, near), count
+
+
+@compiled
+def _branch(at: Bench, number: int, branches: int) -> int:
+    """Keep the further motions here for later; returns how many alternatives now wait."""
+    s = at.state
+    s[FLAGS] = int(s[FLAGS]) | AMBIGUOUS
+    if s[SEVERAL] > 0.0:
+        return branches
+    s[SEVERAL] = 1.0
+    for m in range(1, number):
+        if s[DEPTH] >= DEEPEST or branches == MOST_BRANCHES:
+            s[FLAGS] = int(s[FLAGS]) | CUT_SHORT
+            return branches
+        at.branches[branches, :] = s
+        row, motion = at.branches[branches], at.space.motions[m]
+        row[VX], row[VY], row[OMEGA] = motion[0], motion[1], motion[2]
+        row[DEPTH] += 1.0
+        branches += 1
+    return branches
+
+
+@compiled
+def _settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> None:
+    """Shift the object so that contacts with load have gap zero and the others at least that."""
+    s, square = at.state, body.reach * body.reach
+    place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
+    for _ in range(SWEEPS):
+        most = 0.0
+        for k in range(count):
+            row = at.contacts[k]
+            gap = write_contact(body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], s[THETA], row)
+            if abs(gap) > 100.0 * scale.error or (gap > 0.0 and at.loads[k, 0] <= 0.0):
+                continue
+            lever = row[0] * row[3] - row[1] * row[2]
+            shift = -gap / (1.0 + lever * lever / square)
+            s[X], s[Y] = s[X] + shift * row[2], s[Y] + shift * row[3]
+            s[THETA] += shift * lever / square
+            most = max(most, abs(gap))
+        if most <= 0.05 * scale.touch:
+            return
+
+
+@compiled
+def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: int, branches: int) -> tuple[bool, int]:
+    """Carry the state to its end; returns (whether that was reached, number of alternatives that wait)."""
+    s, h = at.state, FIRST_STRIDE
+    _, count = _look(hand, body, at, scale, scale.touch)
+    at.loads[:] = 0.0
+    _settle(hand, body, at, count, scale)
+    for _ in range(most_steps):
+        if s[TIME] >= hand.last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
+            return True, branches
+        speed = write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
+        number = full_twist(body, at, count, speed, (s[VX], s[VY], s[OMEGA]))
+        if number <= 0:
+            if number < 0:
+                s[FLAGS] = int(s[FLAGS]) | UNSOLVED
+            at.trial[0], at.trial[1], at.trial[2], at.trial[3] = s[X], s[Y], s[THETA], s[TIME]
+            stall(hand, body, at, count, scale.skin)
+            continue
+        if number > 1:
+            branches = _branch(at, number, branches)
+        motion = at.space.motions[0]
+        s[VX], s[VY], s[OMEGA] = motion[0], motion[1], motion[2]
+        if len(at.log) > 0:
+            note_modes(at, count)
+        left = hand.last - s[TIME]
+        if speed == 0.0:
+            h, proposal = min(left, LONGEST_STRIDE), FIRST_STRIDE
+            at.stages[:] = 0.0
+        else:
+            h, proposal = stride(hand, body, at, count, scale, min(h, left))
+        if h > 0.0:
+            part = first_touch(hand, body, at, count, scale.skin, scale.touch, h)
+            if speed > 0.0:
+                part = first_change(hand, body, at, count, RANGE * scale.touch, h, part)
+            s[X], s[Y], s[THETA] = pose_after(at, h, part)
+            s[TIME] = hand.last if part * h >= left else s[TIME] + part * h
+            if speed > 0.0:
+                _settle(hand, body, at, count, scale)
+            _, count = _look(hand, body, at, scale, scale.touch)
+        h = proposal
+    return False, branches
+
+
+@compiled
+def _judge(hand: HandMotion, body: Body, at: Bench, scale: Scale) -> int:
+    """The outcome at the state."""
+    s = at.state
+    _, count = _look(hand, body, at, scale, 50.0 * scale.touch)
+    write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
+    stalls = (1 if s[RIGHT] != MOVING else 0) + (1 if s[LEFT] != MOVING else 0)
+    note(at, ENDS, 0)
+    return closing_end.verdict(
+        at.links, len(hand.links), at.contacts, count, s[X], s[Y], body.width, body.reach, s[TOUCHED] > 0.0, stalls
+    )
+
+
+@compiled
+def carry_on(
+    hand: HandMotion, body: Body, at: Bench, x: float, y: float, theta: float, tolerance: float, most_steps: int
+) -> End:
+    """``carry`` on a given bench; ``at.log`` holds the events of the branch that was followed last.
+
+    A disk to the left takes the way of its mirror image, so that mirror symmetry is exact.
+    """
+    round_surface = body.surface.kind == UNIFORM_DISK or body.surface.kind == ELLIPSOID
+    if not (len(body.vertices) == 1 and round_surface and x < 0.0 and hand.vx == 0.0):
+        return _carry(hand, body, at, x, y, theta, tolerance, most_steps)
+    end = _carry(hand, body, at, -x, y, -theta, tolerance, most_steps)
+    mirror_log(hand, at)
+    return End(end.code, -end.x, end.y, -end.theta, end.left, end.right, end.flags)
+
+
+@compiled
+def _carry(
+    hand: HandMotion, body: Body, at: Bench, x: float, y: float, theta: float, tolerance: float, most_steps: int
+) -> End:
+    """Follow the motion and its alternatives; the first end that is not caught counts, else the first."""
+    s, scale = at.state, scale_of(hand, body, tolerance)
+    s[:] = 0.0
+    at.modes[:] = 0
+    s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT] = x, y, theta, hand.first, MOVING, MOVING
+    s[FENCE], s[KINK] = inf, inf
+    gap, _ = _look(hand, body, at, scale, scale.touch)
+    first = hand.first
+    if not (isfinite(x) and isfinite(y) and isfinite(theta)) or gap < -2.0 * scale.skin - 1e-9 * body.reach:
+        return End(INVALID, x, y, theta, first, first, 0)
+    worst, waiting, flags = End(-1, x, y, theta, first, first, 0), 0, 0
+    while True:
+        ended, waiting = _follow(hand, body, at, scale, most_steps, waiting)
+        code = _judge(hand, body, at, scale) if ended else UNDECIDED
+        flags |= int(s[FLAGS])
+        if worst.code < 0 or (worst.code <= closing_end.CAGED and code > closing_end.CAGED):
+            right = s[TIME] if s[RIGHT] == MOVING else s[RIGHT]
+            left = s[TIME] if s[LEFT] == MOVING else s[LEFT]
+            worst = End(code, s[X], s[Y], s[THETA], right, left, 0)
+        if waiting == 0:
+            return End(worst.code, worst.x, worst.y, worst.theta, worst.right, worst.left, flags)
+        waiting -= 1
+        s[:] = at.branches[waiting]
+
+
+def carry(
+    hand: HandMotion, body: Body, x: float, y: float, theta: float = 0.0,
+    tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS, events: int = 0,
+) -> tuple[End, Floats]:  # fmt: skip
+    """Carry the object from a start to the end of the motion; also its first ``events`` events, (E, 3)."""
+    at = bench(events)
+    end = End(*carry_on(hand, body, at, float(x), float(y), float(theta), tolerance, most_steps))
+    return end, at.log[: int(at.state[LOGGED])].copy()
+
+
+@compiled
+def carry_rows(
+    hand: HandMotion, body: Body, starts: Floats, tolerance: float, most_steps: int,
+    codes: NDArray[np.int8], ends: Floats, flags: NDArray[np.int8],
+) -> None:  # fmt: skip
+    """``carry`` for each row of ``starts`` (N, 3) on one bench; ``ends`` (N, 5) = x, y, theta, right, left."""
+    at = bench(0)
+    for k in range(len(starts)):
+        end = carry_on(hand, body, at, starts[k, 0], starts[k, 1], starts[k, 2], tolerance, most_steps)
+        codes[k], flags[k] = end.code, end.flags
+        ends[k, 0], ends[k, 1], ends[k, 2] = end.x, end.y, end.theta
+        ends[k, 3], ends[k, 4] = end.right, end.left
+
+
+def carry_all(
+    hand: HandMotion, body: Body, starts: Floats,
+    tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS, threads: int = 2,
+) -> tuple[NDArray[np.int8], Floats, NDArray[np.int8]]:  # fmt: skip
+    """Batch: ``starts`` (N, 3) or (N, 2) -> outcome codes (N,), ends (N, 5) = x, y, theta, right, left, flags (N,).
+
+    Rows are independent, so the result does not depend on ``threads``.
+    """
+    rows = np.zeros((len(starts), 3))
+    rows[:, : starts.shape[1]] = starts
+    codes, ends, flags = np.zeros(len(rows), np.int8), np.zeros((len(rows), 5)), np.zeros(len(rows), np.int8)
+
+    def part(first: int) -> None:
+        some = slice(first, first + ROWS_PER_TASK)
+        carry_rows(hand, body, rows[some], tolerance, most_steps, codes[some], ends[some], flags[some])
+
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(part, range(0, len(rows), ROWS_PER_TASK)))
+    return codes, ends, flags

@@ -1,0 +1,126 @@
+"""Where the links of a closing hand are, and how fast they move.
+
+The right finger's link j points in the direction psi + sum over the joints up to j of (offset + ratio (psi - first)),
+psi the base angle; the left finger is its mirror image. Time is the base angle of a finger that moves: both move at the
+same rate, one that has stalled stays at its angle. The whole hand may slide along by a velocity per radian of that time.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from palmar.mechanics.pushing.compiled import compiled
+
+Floats = NDArray[np.float64]
+MOST_LINKS = 3
+LINK_WIDTH = 8
+"""A link is a row (ax, ay, bx, by, angular rate, velocity of a (2), half thickness); the palm is the first row."""
+MOVING = -1.0
+"""Stands for the angle of a finger that has not stalled."""
+SAMPLES = 20_001
+
+
+class HandMotion(NamedTuple):
+    """A prescribed closing motion, lengths in m, angles in rad.
+
+    ``links`` from the base to the tip; joint j counts from straight and is at ``offsets[j] + ratios[j] (psi - first)``,
+    entry 0 is the base joint and is 0. The base slides by (vx, vy) per radian; ``last`` ends the motion.
+    """
+
+    half_palm: float
+    links: Floats
+    half_thickness: float
+    first: float
+    last: float
+    offsets: Floats
+    ratios: Floats
+    vx: float
+    vy: float
+
+
+def hand_motion(
+    half_palm: float,
+    links: ArrayLike,
+    half_thickness: float = 0.0,
+    *,
+    first: float = 0.0,
+    limit: float = pi,
+    offsets: ArrayLike | None = None,
+    ratios: ArrayLike | None = None,
+    velocity: tuple[float, float] = (0.0, 0.0),
+    colliding: bool = False,
+) -> HandMotion:
+    """A motion from ``first`` to where a link reaches the palm, or the fingers meet, or to the joint ``limit``.
+
+    ``offsets`` and ``ratios`` are those of the distal joints (links - 1 entries each, straight unless given).
+    """
+    lengths = np.ascontiguousarray(links, dtype=float)
+    rest = len(lengths) - 1
+    if not 1 <= len(lengths) <= MOST_LINKS:
+        raise ValueError(f"a finger has 1 to {MOST_LINKS} links, not {len(lengths)}")
+    bends = np.zeros(rest) if offsets is None else np.asarray(offsets, dtype=float)
+    turns = np.zeros(rest) if ratios is None else np.asarray(ratios, dtype=float)
+    if bends.shape != (rest,) or turns.shape != (rest,):
+        raise ValueError(f"offsets and ratios need one entry for each of the {rest} distal joints")
+    motion = HandMotion(
+        float(half_palm), lengths, float(half_thickness), float(first), float(limit),
+        np.concatenate([[0.0], bends]), np.concatenate([[0.0], turns]), float(velocity[0]), float(velocity[1]),
+    )  # fmt: skip
+    return motion._replace(last=_end_of_travel(motion, colliding))
+
+
+def _end_of_travel(motion: HandMotion, colliding: bool) -> float:
+    """The first sampled angle at which a link lies on the palm or, for colliding fingers, on the axis; refined."""
+    h, low, high = motion.half_thickness, motion.first, motion.last
+
+    def stopped(psi: Floats) -> NDArray[np.bool_]:
+        joints = motion.offsets + motion.ratios * (psi[:, None] - motion.first)
+        angles = psi[:, None] + np.cumsum(joints, axis=1)
+        x = motion.half_palm + np.cumsum(motion.links * np.cos(angles), axis=1)
+        y = np.cumsum(motion.links * np.sin(angles), axis=1)
+        down: NDArray[np.bool_] = np.logical_or.reduce((y <= h) & (angles > 0.5 * pi), axis=1)
+        met: NDArray[np.bool_] = np.logical_or.reduce(x <= h, axis=1)
+        return np.logical_or(down, met) if colliding else down
+
+    for _ in range(4):
+        psi = np.linspace(low, high, SAMPLES)
+        at = stopped(psi)
+        if not at.any():
+            return high
+        k = int(np.argmax(at))
+        low, high = float(psi[max(k - 1, 0)]), float(psi[k])
+    return high
+
+
+@compiled
+def place_links(hand: HandMotion, time: float, right: float, left: float, rows: Floats) -> None:
+    """Write palm, right links, left links to ``rows`` (1 + 2 links, 8); ``right``, ``left``: stall angle or MOVING."""
+    base_x, base_y = hand.vx * (time - hand.first), hand.vy * (time - hand.first)
+    palm = rows[0]
+    palm[0], palm[1], palm[2], palm[3] = base_x - hand.half_palm, base_y, base_x + hand.half_palm, base_y
+    palm[4], palm[5], palm[6], palm[7] = 0.0, hand.vx, hand.vy, 0.0
+    count = len(hand.links)
+    for finger in range(2):
+        side = 1.0 if finger == 0 else -1.0
+        stopped = right if finger == 0 else left
+        psi, rate = (time, 1.0) if stopped == MOVING else (stopped, 0.0)
+        x, y, vx, vy, angle, turn = side * hand.half_palm, 0.0, hand.vx, hand.vy, psi, rate
+        for j in range(count):
+            angle += hand.offsets[j] + hand.ratios[j] * (psi - hand.first)
+            turn += hand.ratios[j] * rate
+            dx, dy = side * hand.links[j] * cos(angle), hand.links[j] * sin(angle)
+            row = rows[1 + finger * count + j]
+            row[0], row[1], row[2], row[3] = base_x + x, base_y + y, base_x + x + dx, base_y + y + dy
+            row[4], row[5], row[6], row[7] = side * turn, vx, vy, hand.half_thickness
+            x, y = x + dx, y + dy
+            vx, vy = vx - side * turn * dy, vy + side * turn * dx
+
+
+@compiled
+def finger_of(hand: HandMotion, link: int) -> int:
+    """0 for a link of the right finger, 1 of the left, -1 the palm."""
+    return -1 if link == 0 else (link - 1) // len(hand.links)
