@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-from reference.disk_holding import holds_structurally, holds_with_friction
-
 from palmar.mechanics.closure.disk_2_2 import Radii, frictional_radii, structural_radii
+from reference.disk_holding import holds_structurally, holds_with_friction
 
 STEP = 1e-6
 HANDS = {"line fingers": (0.0, {}), "thick fingers": (0.3, {}), "thick, colliding": (0.3, {"crossing": False})}
@@ -39,6 +38,7 @@ def disagreements(radii: Radii, holds: Callable[[NDArray[np.float64]], NDArray[n
 
 
 def main(pairs: int) -> int:
+    """Print the comparison; returns the number of decisions that differ."""
     rng = np.random.default_rng(20261122)
     d, alpha = rng.uniform(0.02, 2.0, pairs), rng.uniform(1e-3, 1.4, pairs)
     total = 0

@@ -180,7 +180,7 @@ POLYGONS = {
 @pytest.mark.parametrize(("vertices", "expected"), POLYGONS.items())
 def test_wrong_polygons_are_refused(vertices, expected):
     text = SMALLEST.replace("radius_mm = 38", f'shape = "polygon"\nvertices_mm = {vertices}')
-    with pytest.raises(InputError, match="object.vertices_mm") as caught:
+    with pytest.raises(InputError, match=r"object\.vertices_mm") as caught:
         parse_case(text, "my.toml")
     assert expected in str(caught.value)
 

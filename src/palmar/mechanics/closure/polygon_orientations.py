@@ -8,7 +8,7 @@ forces can then balance. That is closure against translation only: whether the p
   parallel edges only balance, the polygon slides out between them);
 - frictional at friction angle alpha: on the palm, or pinched at some height above it, with forces in the friction cones.
 
-Limits of friction count as held. A finger that touches first with its tip at a corner may push along every normal of the corner.
+Limits of friction count as held. A finger that touches with its tip at a corner may push along every normal there.
 What is exact is set out in docs/derivations/polygons.md. Line fingers: everything but holds that only a second crest
 offers (see polygon_pinch), which may be missed. Thick fingers: as well, holds above the palm that a finger's base,
 instead of the finger, has a part in are not looked for. Both err on the side of no grasp.

@@ -63,7 +63,13 @@ def first_good(at: Bout, alpha: Floats, low: Floats, high: Floats, any_will_do: 
     one side of the hand the term of the play is largest at an end of an interval of angles and of one of lifts.
     """
     found = np.full(at.size, np.inf)
-    item, a, b, lift_a, lift_b = np.arange(at.size), low, high, highest_good(at, alpha, low), highest_good(at, alpha, high)
+    item, a, b, lift_a, lift_b = (
+        np.arange(at.size),
+        low,
+        high,
+        highest_good(at, alpha, low),
+        highest_good(at, alpha, high),
+    )
     for psi, lift in ((a, lift_a), (b, lift_b)):
         good = _has_room(at, psi, lift)
         found[good] = np.minimum(found[good], psi[good])
