@@ -4,7 +4,7 @@ Both fingers turn from ``first`` to ``last`` at the same rate; a finger that sta
 (x, y); by mirror symmetry x >= 0, so the right finger comes first. Phases, with rho = R + h and e the elevation of a
 contact above the disk's equator:
 
-- link: the contact runs out along the finger, r = r0 + rho (psi - psi0); the disk does not turn (findings of section 3.2);
+- link: the contact runs out along the finger, r = r0 + rho (psi - psi0); the disk does not turn (section 3.2);
 - tip: the table of ``closing_tables`` in beta, e = psi - 90 deg - beta;
 - both: on the axis, wedged where |e| <= alpha, else carried to the palm (e > 0) or squeezed out (e < 0);
 - palm: kept on the palm by link or tip, x follows from psi; wedged where half the angle between palm and finger's
