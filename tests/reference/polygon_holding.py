@@ -7,12 +7,13 @@ up again and again. The forces that the touching bodies can exert are then taken
 holds if no open half plane is free of them, which is to say if no gap between neighbouring directions exceeds 180 degrees.
 
 Heights at which the answer comes near to yes are cut up likewise. Nothing is assumed of how room, contact or answer
-depend on angle and height, except that features far below the steps may be missed. Fingers are lines of length 1.
+depend on angle and height, except that features far below the steps may be missed. Fingers have the length 1. Thick ones
+are taken as lines before a polygon that is grown by half their thickness, its round corners cut into short edges.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,61 +21,93 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-PSI = np.concatenate([np.linspace(1e-7, 2.8, 51), np.pi - np.geomspace(np.pi - 2.8, 1e-6, 30)[1:]])
+PSI = np.concatenate([np.linspace(1e-7, 2.8, 81), np.pi - np.geomspace(np.pi - 2.8, 1e-6, 40)[1:]])
 """Finger angles, closer where the fingers fold onto the palm and the room changes fast."""
 HEIGHT_STEPS, HEIGHT_CUTS, PIECES, LOOKED_AT_AGAIN = 40, 9, 8, 4
 HALVINGS, DIP_CUTS = 40, 8
-NEVER = np.inf
+NEVER, TINY = np.inf, 1e-12
 
 
 @dataclass(frozen=True)
 class Cases:
-    """B polygons, already turned, lowest corner at height 0: x and y (B, N); half palms and friction angles (B,)."""
+    """B polygons, already turned and grown, the original's lowest corner at height 0: x and y (B, N).
+
+    Half palms and friction angles (B,); all fingers have one half thickness.
+    """
 
     x: Floats
     y: Floats
     half_palm: Floats
     friction_angle: Floats
+    half_thickness: float = 0.0
 
     def at(self, index: Indices) -> Cases:
-        return Cases(self.x[index], self.y[index], self.half_palm[index], self.friction_angle[index])
+        return replace(
+            self,
+            x=self.x[index],
+            y=self.y[index],
+            half_palm=self.half_palm[index],
+            friction_angle=self.friction_angle[index],
+        )
 
     def lifted(self, height: Floats) -> Cases:
-        return Cases(self.x, self.y + height[:, None], self.half_palm, self.friction_angle)
+        return replace(self, y=self.y + height[:, None])
 
 
-def cases(polygons: list[Floats], orientations: Floats, half_palm: Floats, friction_angle: Floats) -> Cases:
-    """Polygons, each (N, 2) with its own N, turned and set on the ground."""
-    most = max(len(each) for each in polygons)
-    padded = np.stack([np.concatenate([each, np.repeat(each[-1:], most - len(each), axis=0)]) for each in polygons])
+def cases(
+    polygons: list[Floats],
+    orientations: Floats,
+    half_palm: Floats,
+    friction_angle: Floats,
+    half_thickness: float = 0.0,
+) -> Cases:
+    """Polygons, each (N, 2) counter-clockwise with its own N, turned and set on the ground."""
+    grown = [each if half_thickness == 0.0 else rounded(each, half_thickness) for each in polygons]
+    most = max(len(each) for each in grown)
+    padded = np.stack([np.concatenate([each, np.repeat(each[-1:], most - len(each), axis=0)]) for each in grown])
     c, s = np.cos(orientations)[:, None], np.sin(orientations)[:, None]
     x, y = padded[..., 0] * c - padded[..., 1] * s, padded[..., 0] * s + padded[..., 1] * c
-    return Cases(x, y - y.min(axis=1, keepdims=True), half_palm, friction_angle)
+    lowest = np.array([(each @ [si, co]).min() for each, si, co in zip(polygons, s[:, 0], c[:, 0], strict=True)])
+    return Cases(x, y - lowest[:, None], half_palm, friction_angle, half_thickness)
+
+
+def rounded(polygon: Floats, radius: float) -> Floats:
+    """A polygon grown by a radius, with corners every two degrees of its arcs."""
+    edges = np.roll(polygon, -1, axis=0) - polygon
+    normals = np.arctan2(-edges[:, 0], edges[:, 1])
+    pieces = []
+    for corner, before, after in zip(polygon, np.roll(normals, 1), normals, strict=True):
+        turn = np.mod(after - before, 2.0 * np.pi)
+        angles = before + turn * np.linspace(0.0, 1.0, int(np.ceil(np.degrees(turn) / 2.0)) + 1)
+        pieces.append(corner + radius * np.column_stack([np.cos(angles), np.sin(angles)]))
+    return np.concatenate(pieces)
 
 
 def one_side(x: Floats, y: Floats, half_palm: Floats, psi: Floats) -> tuple[Floats, Floats]:
     """Room (B, S) between polygons and right fingers at angles psi (B, S), and the elevations of the normals there.
 
     Rays run along x. A ray from a corner that meets the finger ends on the finger's side: the normal is the finger's.
-    A ray from the fingertip ends on an edge: the normal is the edge's.
+    A ray from the fingertip, or from the base where that is over the polygon's bottom, ends on an edge: the normal is
+    the edge's.
     """
-    tip_x, tip_y = half_palm[:, None] + np.cos(psi), np.sin(psi)
-    cotangent = 1.0 / np.tan(psi)
-    from_corners, from_tip = np.full_like(tip_x, NEVER), np.full_like(tip_x, NEVER)
-    edge_normal = np.zeros_like(tip_x)
+    cotangent, tip_x, tip_y = 1.0 / np.tan(psi), half_palm[:, None] + np.cos(psi), np.sin(psi)
+    room, elevation = np.full_like(psi, NEVER), np.zeros_like(psi)
     for corner in range(x.shape[1]):
         here = x[:, corner, None], y[:, corner, None]
         after = x[:, (corner + 1) % x.shape[1], None], y[:, (corner + 1) % x.shape[1], None]
         on_finger = half_palm[:, None] + here[1] * cotangent
-        from_corners = np.minimum(from_corners, np.where(here[1] <= tip_y, on_finger - here[0], NEVER))
+        to_finger = np.where((here[1] >= -TINY) & (here[1] <= tip_y), on_finger - here[0], NEVER)
+        nearer = to_finger < room
+        room, elevation = np.where(nearer, to_finger, room), np.where(nearer, psi - 0.5 * np.pi, elevation)
         rise = np.where(after[1] > here[1], after[1] - here[1], np.nan)  # the right boundary climbs
-        share = (tip_y - here[1]) / rise
-        meets = (share >= 0.0) & (share <= 1.0)
-        to_edge = np.where(meets, tip_x - here[0] - share * (after[0] - here[0]), NEVER)
-        nearer = to_edge < from_tip
-        from_tip = np.where(nearer, to_edge, from_tip)
-        edge_normal = np.where(nearer, np.arctan2(here[0] - after[0], rise), edge_normal)
-    return np.minimum(from_corners, from_tip), np.where(from_corners <= from_tip, psi - 0.5 * np.pi, edge_normal)
+        normal = np.arctan2(here[0] - after[0], rise)
+        ends = [(tip_x, tip_y)] + ([(half_palm[:, None], np.zeros_like(psi))] if (y < -TINY).any() else [])
+        for end_x, end_y in ends:
+            share = (end_y - here[1]) / rise
+            to_edge = np.where((share >= 0.0) & (share <= 1.0), end_x - here[0] - share * (after[0] - here[0]), NEVER)
+            nearer = to_edge < room
+            room, elevation = np.where(nearer, to_edge, room), np.where(nearer, normal, elevation)
+    return room, elevation
 
 
 def both_sides(some: Cases, psi: Floats) -> tuple[Floats, Floats, Floats]:
@@ -132,7 +165,8 @@ def largest_gap(friction_angle: Floats, e_right: Floats, e_left: Floats, on_palm
 def margin(some: Cases, on_palm: bool) -> tuple[Floats, Floats, Floats]:
     """180 degrees minus the largest gap (-inf without a squeeze); the finger angle; the sum of the elevations."""
     psi = squeeze(some)
-    caught = np.flatnonzero(np.isfinite(psi) & (psi > 1e-6))
+    last = np.pi - np.arcsin(some.half_thickness)  # there a finger's round tip rests on the palm
+    caught = np.flatnonzero((psi < last) & (psi > 1e-6))
     value, total = np.full(len(psi), -NEVER), np.full(len(psi), np.nan)
     here = some.at(caught)
     _, e_right, e_left = (each[:, 0] for each in both_sides(here, psi[caught][:, None]))

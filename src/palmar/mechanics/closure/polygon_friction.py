@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from palmar.mechanics.closure.polygon_outline import RIGHT_ANGLE, Bools, Floats
-from palmar.mechanics.closure.polygon_squeeze import FLATTEST, Bout, squeeze, touch
+from palmar.mechanics.closure.polygon_squeeze import FLATTEST, Bout, touch
 
 PRESSING = 1e-9
 """Sums of elevations (rad) up to this are a balance, as of two tips on parallel edges, not a hold."""
@@ -17,22 +17,19 @@ HEIGHT_ROUNDING = 1e-10
 """A tip this share of the finger length beside a corner counts as touching it, with every normal between its edges."""
 
 
-def friction_needed(at: Bout, lift: Floats) -> Floats:
-    """Least friction angle (rad) that holds the polygon squeezed at each lift (M,); inf where nothing squeezes it."""
-    psi = squeeze(at, lift)
+def friction_needed(at: Bout, lift: Floats, psi: Floats) -> Floats:
+    """Least friction angle (rad) that holds the polygon at each lift (M,), squeezed at psi (M,); inf where it is not."""
     caught = np.isfinite(psi)
     needed = np.full(at.size, np.inf)
     needed[caught] = _needed_at(at.at(caught), psi[caught], lift[caught])
     return needed
 
 
-def presses_down(at: Bout) -> Bools:
-    """Whether the fingers, squeezing the polygon on the palm, press it down: s > 0, more than a balance."""
-    ground = np.zeros(at.size)
-    psi = squeeze(at, ground)
+def presses_down(at: Bout, psi: Floats) -> Bools:
+    """Whether the fingers, squeezing the polygon on the palm at psi, press it down: s > 0, more than a balance."""
     down = np.isfinite(psi)
     here = at.at(down)
-    down[down] = elevation_sums(here, psi[down], ground[down])[1] > PRESSING
+    down[down] = elevation_sums(here, psi[down], np.zeros(here.size))[1] > PRESSING
     return down
 
 

@@ -9,9 +9,10 @@ forces can then balance. That is closure against translation only: whether the p
 - frictional at friction angle alpha: on the palm, or pinched at some height above it, with forces in the friction cones.
 
 Limits of friction count as held. A finger that touches with its tip at a corner may push along every normal there.
-What is exact is set out in docs/derivations/polygons.md. Line fingers: everything but holds that only a second crest
-offers (see polygon_pinch), which may be missed. Thick fingers: as well, holds above the palm that a finger's base,
-instead of the finger, has a part in are not looked for. Both err on the side of no grasp.
+What is exact is set out in docs/derivations/polygons.md. Line fingers: every answer, to rounding, but for holds beyond
+90 deg that only a second crest offers (see polygon_pinch): these may be missed, and where they alone decide, an angle is
+good to about 1e-6 rad. Thick fingers: as well, holds above the palm in which a finger's base instead of the finger has a
+part are not looked for. All err on the side of no grasp.
 """
 
 from __future__ import annotations
@@ -25,12 +26,13 @@ from palmar.mechanics.closure.orientation_set import IntervalArray, orientation_
 from palmar.mechanics.closure.polygon_friction import friction_needed, presses_down
 from palmar.mechanics.closure.polygon_outline import FULL_TURN, RIGHT_ANGLE, Bools, Floats
 from palmar.mechanics.closure.polygon_pinch import ANGLE_TOLERANCE, holds_off_palm
-from palmar.mechanics.closure.polygon_squeeze import Bout, bout, touch
+from palmar.mechanics.closure.polygon_squeeze import bout, squeeze, squeeze_beyond, touch
 
 SAMPLES = 7560
 """Orientations looked at all round, 0.048 deg apart; an interval or gap narrower than that may be missed."""
 MOST_FOR_PAIRS = 40
 """Up to this number of corners the orientations that level or plumb any two of them are looked at too."""
+SECTIONS = 8
 
 
 def structural_orientations(
@@ -46,7 +48,7 @@ def structural_orientations(
     outline = np.asarray(vertices, dtype=np.float64)
 
     def holds(theta: Floats) -> Bools:
-        return _structural(bout(outline, theta, half_palm, finger_length, half_thickness))
+        return held_structurally(outline, theta, half_palm, finger_length, half_thickness)
 
     return orientation_set(holds, sampled_orientations(outline))
 
@@ -61,10 +63,41 @@ def frictional_orientations(
     outline = np.asarray(vertices, dtype=np.float64)
 
     def holds(theta: Floats) -> Bools:
-        at = bout(outline, theta, half_palm, finger_length, half_thickness)
-        return _frictional(at, np.full(at.size, friction_angle))
+        return held_with_friction(outline, theta, half_palm, finger_length, friction_angle, half_thickness)
 
     return orientation_set(holds, sampled_orientations(outline))
+
+
+def held_structurally(
+    vertices: ArrayLike, orientations: Floats, half_palm: float, finger_length: float, half_thickness: float = 0.0
+) -> Bools:
+    """Whether the hand holds the polygon without friction, at each orientation (M,) in rad."""
+    at = bout(vertices, orientations, half_palm, finger_length, half_thickness)
+    ground = np.zeros(at.size)
+    held: Bools = touch(at, np.full(at.size, RIGHT_ANGLE), ground).play >= -at.room
+    here = at.at(held)
+    held[held] = presses_down(here, squeeze_beyond(here, ground[held]))
+    return held
+
+
+def held_with_friction(
+    vertices: ArrayLike,
+    orientations: Floats,
+    half_palm: float,
+    finger_length: float,
+    friction_angle: float,
+    half_thickness: float = 0.0,
+) -> Bools:
+    """Whether the hand holds the polygon with friction angle alpha in [0, pi/2) (rad), at each orientation (M,) in rad."""
+    if friction_angle == 0.0:
+        return held_structurally(vertices, orientations, half_palm, finger_length, half_thickness)
+    at = bout(vertices, orientations, half_palm, finger_length, half_thickness)
+    ground, alpha = np.zeros(at.size), np.full(at.size, friction_angle)
+    palm_psi = squeeze(at, ground)
+    held: Bools = friction_needed(at, ground, palm_psi) <= alpha + ANGLE_TOLERANCE
+    rest = np.flatnonzero(~held)
+    held[rest] = holds_off_palm(at.at(rest), alpha[rest], palm_psi[rest])
+    return held
 
 
 def required_friction_angle(
@@ -76,20 +109,27 @@ def required_friction_angle(
 ) -> Floats:
     """Least friction angle (rad) that holds the polygon at each orientation (rad), to within 1e-10.
 
-    0 where it is held structurally, inf where no friction holds it. Arguments as in `structural_orientations`; the
-    result has the shape of ``orientations``.
+    0 where it is held structurally, or balanced so that any friction holds it; inf where none does. Arguments as in
+    `structural_orientations`; the result has the shape of ``orientations``.
     """
     theta = np.asarray(orientations, dtype=np.float64)
     at = bout(vertices, theta.ravel(), half_palm, finger_length, half_thickness)
-    needed = np.where(_structural(at), 0.0, np.inf)
-    most = RIGHT_ANGLE - 1e-9
-    rest = np.flatnonzero(np.isinf(needed))
-    rest = rest[_frictional(at.at(rest), np.full(len(rest), most))]
-    low, high = np.zeros(len(rest)), np.full(len(rest), most)
+    palm_psi = squeeze(at, np.zeros(at.size))
+    needed = friction_needed(at, np.zeros(at.size), palm_psi)
+    needed[needed <= ANGLE_TOLERANCE] = 0.0
+    most = np.minimum(needed, RIGHT_ANGLE - 1e-9)
+    rest = np.flatnonzero(needed > 0.0)
+    rest = rest[holds_off_palm(at.at(rest), most[rest], palm_psi[rest])]
+    low, high = np.zeros(len(rest)), most[rest]
+    repeated = np.repeat(rest, SECTIONS - 1)
+    many = at.at(repeated)
     while len(rest) and (high - low).max() > 0.5 * ANGLE_TOLERANCE:
-        middle = 0.5 * (low + high)
-        held = _frictional(at.at(rest), middle)
-        low, high = np.where(held, low, middle), np.where(held, middle, high)
+        step = (high - low) / SECTIONS
+        tried = low[:, None] + step[:, None] * np.arange(1, SECTIONS)
+        held = holds_off_palm(many, tried.ravel(), palm_psi[repeated]).reshape(tried.shape)
+        enough = held.any(axis=1)
+        fails = np.where(enough, np.argmax(held, axis=1), SECTIONS - 1)
+        low, high = low + step * fails, np.where(enough, low + step * (fails + 1), high)
     needed[rest] = high
     return needed.reshape(theta.shape)
 
@@ -105,17 +145,3 @@ def sampled_orientations(outline: Floats) -> Floats:
     critical = np.mod(quarter.ravel(), FULL_TURN)
     uniform = 2.0 * pi * np.arange(SAMPLES) / SAMPLES
     return np.concatenate([uniform, critical[critical < FULL_TURN]])
-
-
-def _structural(at: Bout) -> Bools:
-    held: Bools = touch(at, np.full(at.size, RIGHT_ANGLE), np.zeros(at.size)).play >= -at.room
-    here = at.at(held)
-    held[held] = presses_down(here)
-    return held
-
-
-def _frictional(at: Bout, alpha: Floats) -> Bools:
-    held = friction_needed(at, np.zeros(at.size)) <= alpha + ANGLE_TOLERANCE
-    rest = np.flatnonzero(~held & (alpha > 0.0))
-    held[rest] = holds_off_palm(at.at(rest), alpha[rest])
-    return held

@@ -22,13 +22,13 @@ So the first zero is found for certain, in three stages. Derived in docs/derivat
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import asin, atan2, hypot, pi
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from palmar.mechanics.closure.bracketing import falling_zero, halved
 from palmar.mechanics.closure.polygon_outline import RIGHT_ANGLE, Bools, Floats, Indices, Views, views
 
 ROUNDING = 2e-13
@@ -37,8 +37,6 @@ ANGLE_ROUNDING = 1e-12
 FLATTEST = 1e-9
 """The fingers stay this far (rad) from the palm line, where their cotangent is infinite."""
 NEARLY_FLAT = 1e-3 - RIGHT_ANGLE
-HALVINGS = 50
-STEPS = 3 * HALVINGS
 
 
 @dataclass(frozen=True)
@@ -108,7 +106,7 @@ def touch(at: Bout, psi: Floats, lift: Floats) -> Touch:
     """Play and contacts at finger angles psi (M,) in rad and lifts (M,) in m."""
     sides, length, h = at.sides, at.finger_length, at.half_thickness
     angle, raised = np.concatenate([psi, psi]), np.concatenate([lift, lift])
-    cosine, sine = np.cos(angle), np.sin(angle)
+    cosine, sine = np.tile(np.cos(psi), 2), np.tile(np.sin(psi), 2)
     x, y = sides.corner(sides.support(angle - RIGHT_ANGLE))
     y = y + raised
     height, tip_height = y - h * cosine, length * sine
@@ -203,32 +201,14 @@ def _undercut_starts(at: Bout, lift: Floats) -> Floats:
     return starts.reshape(2, at.size)
 
 
-def halved(holds: Callable[[Floats], Bools], low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Ends of a tiny bracket in each [low, high] around the place where a condition passes from true to false."""
-    low, high = low.copy(), high.copy()
-    for _ in range(HALVINGS if low.size else 0):
-        middle = 0.5 * (low + high)
-        true = holds(middle)
-        low, high = np.where(true, middle, low), np.where(true, high, middle)
-    return low, high
-
-
 def _zero(at: Bout, lift: Floats, low: Floats, high: Floats) -> Floats:
-    """Where a play that falls from low to high ends, by Newton steps kept inside the bracket; every third one halves it."""
-    low, high = low.copy(), high.copy()
-    psi, done = 0.5 * (low + high), np.zeros(at.size, dtype=np.bool_)
-    for step in range(STEPS):
-        here = touch(at, psi, lift)
-        play, rate = here.play + at.room, here.rate
-        low, high = np.where(play >= 0.0, psi, low), np.where(play >= 0.0, high, psi)
-        newton = psi - play / np.where(rate < 0.0, rate, -np.inf)
-        inside = (newton > low) & (newton < high) & (rate < 0.0)
-        done |= (inside & (np.abs(newton - psi) < 1e-15)) | (high - low < 1e-15)
-        if done.all():
-            break
-        after = np.where(inside & (step % 3 < 2), newton, 0.5 * (low + high))
-        psi = np.where(done, psi, after)
-    return psi
+    """Where a play that falls from low to high ends."""
+
+    def play(some: Indices, psi: Floats) -> tuple[Floats, Floats]:
+        here = touch(at.at(some), psi, lift[some])
+        return here.play + at.room, here.rate
+
+    return falling_zero(play, low, high)
 
 
 def _zero_between_tips(at: Bout, lift: Floats, low: Floats, high: Floats) -> Floats:
@@ -246,20 +226,23 @@ def _zero_beside_rising_tip(at: Bout, lift: Floats, low: Floats, high: Floats, t
     Branch and bound: the chord bounds the first term from below, its end tangents the second; the sum is monotone
     where the largest rate of the first and the largest of the second add up to less than 0.
     """
-    found = np.full(at.size, np.inf)
+    first_a, first_b = np.full(at.size, np.inf), np.full(at.size, np.inf)
     item, a, b = np.arange(at.size), low, high
     while len(item):
         here, side, each = at.at(item), tip[item], np.arange(len(item))
         at_a, at_b = touch(here, a, lift[item]), touch(here, b, lift[item])
-        alive = (_lowest(at_a, at_b, b - a, side) < -at.room) & (a < found[item])
+        alive = (_lowest(at_a, at_b, b - a, side) < -at.room) & (a < first_a[item])
         steepest = at_b.rates[side, each] + at_a.rates[1 - side, each]
         settled = (steepest < 0.0) | (b - a < 1e-13)
-        hit = alive & settled & (at_b.play < -at.room)
-        np.minimum.at(found, item[hit], _zero(here.at(hit), lift[item[hit]], a[hit], b[hit]))
+        hit = np.flatnonzero(alive & settled & (at_b.play < -at.room))
+        hit = hit[np.argsort(-a[hit])]  # of several hits of one item the first one counts
+        first_a[item[hit]], first_b[item[hit]] = a[hit], b[hit]
         split = alive & ~settled
         item, middle = np.tile(item[split], 2), 0.5 * (a + b)[split]
         a, b = np.concatenate([a[split], middle]), np.concatenate([middle, b[split]])
-    return found
+    closed = np.isfinite(first_a)
+    first_a[closed] = _zero(at.at(closed), lift[closed], first_a[closed], first_b[closed])
+    return first_a
 
 
 def _lowest(at_a: Touch, at_b: Touch, width: Floats, tip: Indices) -> Floats:
