@@ -93,7 +93,8 @@ def run_fingers(hand: Hand, thing: Object, friction: float, start: np.ndarray, n
         min(numerics.farthest, rounding) if len(vertices) else numerics.farthest,
         numerics.most_steps,
     )
-    law = (size, numerics.stiffness, float(friction), numerics.eps, numerics.viscous)
+    damping = 10.0 * numerics.stiffness * numerics.smallest_step**2
+    law = (size, numerics.stiffness, float(friction), numerics.eps, numerics.viscous, damping)
     scale = np.array([unit, unit, 1.0])
     pose = start / scale
     path, events = np.zeros((20000, 6)), np.zeros((100, 3))

@@ -32,6 +32,7 @@ class Thing(NamedTuple):
     friction: float
     eps: float  # speed below which friction fades
     viscous: float  # table drag proportional to speed, bounds the speed of snaps
+    damping: float  # more of it in the shortest steps, divided by the step: makes them solvable
 
 
 class Links(NamedTuple):
@@ -47,7 +48,8 @@ class Sum(NamedTuple):
     """What the contacts add up to."""
 
     wrench: np.ndarray  # (3,) about the object's pose
-    slope: np.ndarray  # (3, 3) its derivative by the twist
+    slope: np.ndarray  # (3, 3) its derivative by the twist, with frictions that
+    fading: np.ndarray  # (1,) follow their law (1) or stay in proportion to the sliding speed (0)
     forces: np.ndarray  # (b,) normal forces
 
 
@@ -75,7 +77,7 @@ def add_contact(thing, links, body, depth, normal_x, normal_y, x, y, share, pose
     out.wrench[1] += normal_force * normal_y + drag * normal_x
     out.wrench[2] += normal_force * (arm_x * normal_y - arm_y * normal_x) + drag * lever
     out.forces[body] += normal_force
-    rate = -thing.friction * normal_force * thing.eps**2 / speed**3
+    rate = -thing.friction * normal_force / speed * (1.0 - out.fading[0] * (slide / speed) ** 2)
     out.slope[0, 0] += rate * normal_y * normal_y
     out.slope[0, 1] -= rate * normal_y * normal_x
     out.slope[1, 0] -= rate * normal_y * normal_x

@@ -31,18 +31,19 @@ class Control(NamedTuple):
 def add_table(thing, angle, change, step, out):
     """Add the wrench of the table friction and its derivative by the twist."""
     twist = (change[0] / step, change[1] / step, change[2] / step)
-    cos, sin = math.cos(angle), math.sin(angle)
+    cos, sin, viscous = math.cos(angle), math.sin(angle), thing.viscous + thing.damping / step
     for i in range(len(thing.weights)):
         x = cos * thing.points[i, 0] - sin * thing.points[i, 1]
         y = sin * thing.points[i, 0] + cos * thing.points[i, 1]
         u, v = twist[0] - twist[2] * y, twist[1] + twist[2] * x
         speed = math.sqrt(u * u + v * v + thing.eps * thing.eps)
         weight, rate = thing.weights[i], thing.weights[i] / speed
-        drag = rate + thing.viscous * weight
+        drag = rate + viscous * weight
         out.wrench[0] -= drag * u
         out.wrench[1] -= drag * v
         out.wrench[2] -= drag * (x * v - y * u)
         u, v = u / speed, v / speed
+        rate *= out.fading[0]
         xx, xy, yy = rate * u * u - drag, rate * u * v, rate * v * v - drag
         xt, yt = x * xy - y * xx, x * yy - y * xy
         out.slope[0, 0] += xx
@@ -109,9 +110,14 @@ def largest(x):
 
 @njit(error_model="numpy")
 def solve_step(thing, links, start, best, step, weight, out, spare):
-    """Newton with halving on the force balance, from the displacement `best`, which it improves; True if solved."""
+    """Newton with halving on the force balance, from the displacement `best`, which it improves; True if solved.
+
+    After much halving the next iteration takes the frictions as proportional to speed: shorter steps that do not
+    leap over the steep part of the friction law.
+    """
     trial, newton, balance, base, matrix = best.copy(), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros((3, 3))
-    error, share, nudge = 1e300, 1.0, 1e-9
+    error, share, nudge = 1e300, 1.0, 3e-11
+    out.fading[0] = 1.0
     scale = (1.0, 1.0, 1.0 / thing.size)
     longest = 0.2 * thing.size if thing.rounding == 0.0 else thing.rounding
     for _ in range(100):
@@ -124,11 +130,14 @@ def solve_step(thing, links, start, best, step, weight, out, spare):
         found = norm(balance)
         if found >= error * (1.0 - 1e-4 * share):
             share *= 0.5
-            if share < 1e-6:
+            if share < 1e-6 and out.fading[0] == 0.0:
                 return False
+            if share < 1e-3 and out.fading[0] == 1.0:
+                out.fading[0], error, share = 0.0, 1e300, 0.0
             for i in range(3):
                 trial[i] = best[i] + share * newton[i]
             continue
+        out.fading[0] = 1.0 if share > 0.1 else 0.0
         for i in range(3):
             best[i] = trial[i]
         error, share = found, 1.0
@@ -204,8 +213,8 @@ def travel(thing, motion, control, pose, path, events, ends, latest):
     for body in range(bodies):
         thickness[body] = thing.rounding + (motion.half_thickness if body > 0 else 0.0)
     links = Links(ends, np.zeros((bodies, 4)), np.zeros((bodies, 4)), thickness)
-    out = Sum(np.zeros(3), np.zeros((3, 3)), np.zeros(bodies))
-    spare = Sum(np.zeros(3), np.zeros((3, 3)), np.zeros(bodies))
+    out = Sum(np.zeros(3), np.zeros((3, 3)), np.ones(1), np.zeros(bodies))
+    spare = Sum(np.zeros(3), np.zeros((3, 3)), np.ones(1), np.zeros(bodies))
     clocks, states, running = np.zeros(2), np.zeros(2, np.int64), np.zeros(2)
     for finger in range(2):
         clocks[finger], running[finger] = motion.clock[0], 1.0
