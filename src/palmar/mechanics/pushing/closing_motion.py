@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.contact_solve import (
     CONTACT_WIDTH,
     MOST_CONTACTS,
@@ -83,7 +83,7 @@ class Bench(NamedTuple):
     space: Workspace
 
 
-@compiled
+@compiled_to_allocate
 def bench(events: int) -> Bench:
     """A fresh bench with room for so many events."""
     return Bench(
@@ -175,7 +175,8 @@ def _by_threes(body: Body, at: Bench, count: int, guess: Triple) -> int:
         for j in range(i + 1, count):
             for k in range(j + 1, count):
                 triple = at.space.contacts
-                triple[0, :], triple[1, :], triple[2, :] = at.contacts[i], at.contacts[j], at.contacts[k]
+                for c in range(CONTACT_WIDTH):
+                    triple[0, c], triple[1, c], triple[2, c] = at.contacts[i, c], at.contacts[j, c], at.contacts[k, c]
                 found = solve_motion(body.surface, triple, 3, guess, at.space)
                 for m in range(found):
                     row = at.space.motions[m]

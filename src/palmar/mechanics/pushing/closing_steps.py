@@ -35,6 +35,7 @@ from palmar.mechanics.pushing.closing_motion import (
     OMEGA,
     RIGHT,
     SEVERAL,
+    STATE_WIDTH,
     THETA,
     TIME,
     TOUCHED,
@@ -57,7 +58,7 @@ from palmar.mechanics.pushing.closing_stride import (
     pose_after,
     stride,
 )
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of, place_links
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
 from palmar.mechanics.pushing.polygon_contacts import Body, link_of, scan, side_of, write_contact
@@ -120,7 +121,8 @@ def _branch(at: Bench, number: int, branches: int) -> int:
         if s[DEPTH] >= DEEPEST or branches == MOST_BRANCHES:
             s[FLAGS] = int(s[FLAGS]) | CUT_SHORT
             return branches
-        at.branches[branches, :] = s
+        for k in range(STATE_WIDTH):
+            at.branches[branches, k] = s[k]
         row, motion = at.branches[branches], at.space.motions[m]
         row[VX], row[VY], row[OMEGA] = motion[0], motion[1], motion[2]
         row[DEPTH] += 1.0
@@ -247,7 +249,8 @@ def _carry(
         if waiting == 0:
             return End(worst.code, worst.x, worst.y, worst.theta, worst.right, worst.left, flags)
         waiting -= 1
-        s[:] = at.branches[waiting]
+        for k in range(STATE_WIDTH):
+            s[k] = at.branches[waiting, k]
 
 
 def carry(
@@ -260,7 +263,7 @@ def carry(
     return end, at.log[: int(at.state[LOGGED])].copy()
 
 
-@compiled
+@compiled_to_allocate
 def carry_rows(
     hand: HandMotion, body: Body, starts: Floats, tolerance: float, most_steps: int,
     codes: NDArray[np.int8], ends: Floats, flags: NDArray[np.int8],

@@ -20,7 +20,13 @@ Result = TypeVar("Result")
 
 def compiled(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
     """The function as a numba kernel: cached on disk, without the interpreter lock, IEEE division by zero."""
-    kernel = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+    kernel = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _nrt=False)(function)
+    return cast(Callable[Arguments, Result], kernel)
+
+
+def compiled_to_allocate(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
+    """As ``compiled`` for the few kernels that make arrays."""
+    kernel = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function)
     return cast(Callable[Arguments, Result], kernel)
 
 

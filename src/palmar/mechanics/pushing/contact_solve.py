@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.metric import Metric, Triple, inverse, squared, times
 
 Floats = NDArray[np.float64]
@@ -62,7 +62,7 @@ class Workspace(NamedTuple):
     contacts: Floats
 
 
-@compiled
+@compiled_to_allocate
 def workspace() -> Workspace:
     """A fresh workspace."""
     shape = (MOST_MOTIONS, MOTION_WIDTH)
