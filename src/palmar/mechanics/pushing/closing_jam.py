@@ -96,5 +96,6 @@ def to_the_jam(hand: HandMotion, body: Body, at: Bench, count: int, skin: float)
         else:
             high = middle
     s[X], s[Y], s[THETA], s[TIME] = s[X] + low * s[VX], s[Y] + low * s[VY], s[THETA] + low * s[OMEGA], s[TIME] + low
+    at.apart[:] = -1.0
     stall(hand, body, at, count, skin)
     return True

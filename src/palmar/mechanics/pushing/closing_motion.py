@@ -13,25 +13,30 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
+from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.contact_solve import (
     CONTACT_WIDTH,
     MOST_CONTACTS,
+    TIGHT,
     Workspace,
-    _fill_rows,
-    _keeps_clear,
-    _try_edges,
+    edge_loads,
+    edges_twist,
+    fill_rows,
+    is_admissible,
+    keeps_clear,
     workspace,
 )
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, HandMotion, place_links
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, tangent_metric
 from palmar.mechanics.pushing.metric import Triple, inverse, squared
-from palmar.mechanics.pushing.motion_solve import NEWTON_CHANGE, solve_motion, start_metric
+from palmar.mechanics.pushing.motion_solve import solve_motion, start_metric
 from palmar.mechanics.pushing.polygon_contacts import MOST_ACTIVE, SKIN, Body, write_contact
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 PASSES = 8
+LAST_CHANGE = 2e-5
+"""Relative change of the motion at which Newton's pass, of quadratic convergence, is the last in a known mode."""
 NONE = -2
 CLEAR = 1e-8
 TOUCH = 2e-8
@@ -61,6 +66,7 @@ def scale_of(hand: HandMotion, body: Body, tolerance: float) -> Scale:
 class Bench(NamedTuple):
     """Everything that a start's way through the motion writes to: one per start, no allocation after it.
 
+    ``apart`` is each link's least gap but for its active contacts at the state, all below zero where that is not known.
     ``loads`` (per active contact: normal and tangential) and ``edges`` belong to the last motion found; ``modes`` is one
     for each link; ``stages`` are the twists of one step, ``trial`` the pose and time that a stage failed at; ``branches``
     are the alternatives still to be followed; ``log`` the events.
@@ -70,6 +76,7 @@ class Bench(NamedTuple):
     active: Integers
     sides: Floats
     found: Integers
+    apart: Floats
     contacts: Floats
     gaps: Floats
     loads: Floats
@@ -91,6 +98,7 @@ def bench(events: int) -> Bench:
         np.zeros(MOST_ACTIVE, np.int64),
         np.zeros(MOST_ACTIVE),
         np.zeros(MOST_ACTIVE, np.int64),
+        np.zeros(2 * MOST_LINKS + 1),
         np.zeros((MOST_ACTIVE, CONTACT_WIDTH)),
         np.zeros(MOST_ACTIVE),
         np.zeros((MOST_ACTIVE, 2)),
@@ -105,7 +113,7 @@ def bench(events: int) -> Bench:
     )
 
 
-@compiled
+@inlined
 def write_contacts(
     hand: HandMotion, body: Body, at: Bench, count: int, skin: float,
     time: float, right: float, left: float, x: float, y: float, theta: float,
@@ -182,7 +190,7 @@ def _by_threes(body: Body, at: Bench, count: int, guess: Triple) -> int:
                     row = at.space.motions[m]
                     x, y, w = row[0], row[1], row[2]
                     slack = CLEAR * (abs(x) + abs(y) + abs(w) * body.reach + abs(guess[0]) + abs(guess[1]))
-                    if not _keeps_clear(at.contacts, count, x, y, w, slack):
+                    if not keeps_clear(at.contacts, count, x, y, w, slack):
                         continue
                     apart = squared(start_metric(body.surface), x - guess[0], y - guess[1], w - guess[2])
                     number = max(number, 1)
@@ -197,7 +205,7 @@ def _by_threes(body: Body, at: Bench, count: int, guess: Triple) -> int:
     return number
 
 
-@compiled
+@inlined
 def continued_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -> int:
     """As ``full_twist`` but only one motion, in the mode of the last one where that is admissible."""
     if speed == 0.0 or count > MOST_CONTACTS or at.edges[0] == NONE:
@@ -206,16 +214,32 @@ def continued_twist(body: Body, at: Bench, count: int, speed: float, guess: Trip
     a, b, c = at.edges[0], at.edges[1], at.edges[2]
     if body.surface.kind != ELLIPSOID and x == 0.0 and y == 0.0 and w == 0.0:
         return full_twist(body, at, count, speed, guess)
+    contacts, rows = at.contacts, at.space.rows
     for _ in range(PASSES):
         metric = tangent_metric(body.surface, x, y, w)
-        most = _fill_rows(inverse(metric), at.contacts, count, at.space.rows)
-        if _try_edges(metric, at.contacts, count, at.space.motions, at.space.rows, 0, most, a, b, c) == 0:
+        fill_rows(inverse(metric), contacts, count, rows)
+        regular, la, lb, lc = edge_loads(contacts, rows, a, b, c)
+        nx, ny, nw = edges_twist(contacts, rows, a, b, c, la, lb, lc)
+        change = squared(metric, nx - x, ny - y, nw - w)
+        x, y, w = nx, ny, nw
+        if change <= LAST_CHANGE * LAST_CHANGE * squared(metric, x, y, w):
+            least = -TIGHT * (abs(la) + abs(lb) + abs(lc))
+            bears = regular and la >= least and lb >= least and lc >= least
+            if bears and is_admissible(contacts, count, rows, speed, a, b, c, x, y, w):
+                _write_loads(at, count, a, b, c, la, lb, lc)
+                at.space.motions[0, 0], at.space.motions[0, 1], at.space.motions[0, 2] = x, y, w
+                return 1
             break
-        row = at.space.motions[0]
-        change = squared(metric, row[0] - x, row[1] - y, row[2] - w)
-        x, y, w = row[0], row[1], row[2]
-        if change <= NEWTON_CHANGE * NEWTON_CHANGE * squared(metric, x, y, w):
-            for k in range(count):
-                at.loads[k, 0], at.loads[k, 1] = row[3 + 2 * k], row[4 + 2 * k]
-            return 1
     return full_twist(body, at, count, speed, guess)
+
+
+@inlined
+def _write_loads(at: Bench, count: int, a: int, b: int, c: int, la: float, lb: float, lc: float) -> None:
+    """The contacts' loads from those on the edges of their cones."""
+    for k in range(count):
+        at.loads[k, 0], at.loads[k, 1] = 0.0, 0.0
+    for edge, load in ((a, la), (b, lb), (c, lc)):
+        if edge >= 0:
+            lean = at.contacts[edge // 2, 6]
+            at.loads[edge // 2, 0] += load
+            at.loads[edge // 2, 1] += load * (lean if edge % 2 == 0 else -lean)

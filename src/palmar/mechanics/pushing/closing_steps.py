@@ -59,9 +59,10 @@ from palmar.mechanics.pushing.closing_stride import (
     stride,
 )
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
+from palmar.mechanics.pushing.contact_scan import touching_candidates
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of, place_links
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
-from palmar.mechanics.pushing.polygon_contacts import Body, link_of, scan, side_of, write_contact
+from palmar.mechanics.pushing.polygon_contacts import Body, link_of, side_of, write_contact
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
@@ -94,8 +95,8 @@ def _look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) -
     """Make the contacts that touch at the state the active ones; returns (least gap, their number)."""
     s = at.state
     place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
-    free, near, count = scan(
-        body, at.links, len(hand.links), scale.skin, s[X], s[Y], s[THETA], at.active, 0, touch, at.found
+    least, count = touching_candidates(
+        body, at.links, len(hand.links), scale.skin, s[X], s[Y], s[THETA], touch, at.found, at.apart
     )
     changed = False
     for k in range(count):
@@ -106,7 +107,7 @@ def _look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) -
             s[TOUCHED] = 1.0
     if changed:
         s[SEVERAL], s[FENCE], s[KINK] = 0.0, inf, inf
-    return min(free, near), count
+    return least, count
 
 
 @compiled
@@ -157,7 +158,9 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
     s, h = at.state, FIRST_STRIDE
     _, count = _look(hand, body, at, scale, scale.touch)
     at.loads[:] = 0.0
-    _settle(hand, body, at, count, scale)
+    if count > 0:
+        _settle(hand, body, at, count, scale)
+        _, count = _look(hand, body, at, scale, scale.touch)
     for _ in range(most_steps):
         if s[TIME] >= hand.last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
             return True, branches

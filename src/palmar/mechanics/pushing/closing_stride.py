@@ -32,10 +32,11 @@ from palmar.mechanics.pushing.closing_motion import (
     continued_twist,
     write_contacts,
 )  # fmt: skip
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import compiled, inlined
+from palmar.mechanics.pushing.contact_scan import further_gaps
 from palmar.mechanics.pushing.hand_pose import HandMotion, place_links
 from palmar.mechanics.pushing.metric import Triple
-from palmar.mechanics.pushing.polygon_contacts import Body, range_left, scan
+from palmar.mechanics.pushing.polygon_contacts import Body, link_of, range_left
 
 Floats = NDArray[np.float64]
 FINEST = 1e-3
@@ -75,7 +76,7 @@ BETWEEN = np.array(
 )
 
 
-@compiled
+@inlined
 def stages(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: float) -> int:
     """Fill the stages of a stride h from the state; returns 0, or the stage that has no motion (see ``at.trial``).
 
@@ -90,7 +91,12 @@ def stages(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: 
             x, y, theta = x + weight * k[j, 0], y + weight * k[j, 1], theta + weight * k[j, 2]
         time = s[TIME] + SHARE[i] * h
         speed = write_contacts(hand, body, at, count, skin, time, s[RIGHT], s[LEFT], x, y, theta)
-        guess = k[i - 1, 0], k[i - 1, 1], k[i - 1, 2]
+        ahead = SHARE[i] / SHARE[i - 1] if i > 1 else 1.0
+        guess = (
+            k[0, 0] + ahead * (k[i - 1, 0] - k[0, 0]),
+            k[0, 1] + ahead * (k[i - 1, 1] - k[0, 1]),
+            k[0, 2] + ahead * (k[i - 1, 2] - k[0, 2]),
+        )
         if continued_twist(body, at, count, speed, guess) <= 0:
             at.trial[0], at.trial[1], at.trial[2], at.trial[3] = x, y, theta, time
             return i
@@ -99,7 +105,7 @@ def stages(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: 
     return 0
 
 
-@compiled
+@inlined
 def error_of(at: Bench, count: int, reach: float, touch: float, h: float) -> float:
     """Error of the stride (m): estimated for position and angle times ``reach``, known for gaps under load."""
     k = at.stages
@@ -143,7 +149,7 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
     return h, h
 
 
-@compiled
+@inlined
 def pose_after(at: Bench, h: float, part: float) -> Triple:
     """Pose at the fraction ``part`` of the stride."""
     s, k = at.state, at.stages
@@ -158,18 +164,22 @@ def pose_after(at: Bench, h: float, part: float) -> Triple:
     return x, y, theta
 
 
-@compiled
+@inlined
 def gaps_after(
-    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, touch: float, h: float, part: float
+    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, far: float, h: float, part: float
 ) -> tuple[float, float]:
-    """Least gaps at the fraction ``part``: of links not in touch, and of further candidates of those in touch."""
+    """Least gaps at the fraction ``part``: of links not in touch, and of further candidates of those in touch.
+
+    Links that began the stride farther than ``far`` away are left out.
+    """
     x, y, theta = pose_after(at, h, part)
     place_links(hand, at.state[TIME] + part * h, at.state[RIGHT], at.state[LEFT], at.links)
-    free, near, _ = scan(body, at.links, len(hand.links), skin, x, y, theta, at.active, count, touch, at.found)
-    return free, near
+    return further_gaps(
+        body, at.links, len(hand.links), skin, x, y, theta, at.active, count, at.apart, far, at.found
+    )
 
 
-@compiled
+@inlined
 def closing_speed(hand: HandMotion, at: Bench, reach: float) -> float:
     """Bound (m/rad) on how fast a link and the object approach in the stride whose stages are filled; links placed."""
     speed, turn = 0.0, 0.0
@@ -184,23 +194,42 @@ def closing_speed(hand: HandMotion, at: Bench, reach: float) -> float:
     return fastest + 1.1 * (speed + reach * turn)
 
 
-@compiled
+@inlined
+def _gaps_now(at: Bench, pairs: int, count: int) -> tuple[float, float]:
+    """As ``gaps_after`` at the state, where ``at.apart`` is known."""
+    free, near = inf, inf
+    for link in range(2 * pairs + 1):
+        busy = False
+        for k in range(count):
+            busy = busy or link_of(at.active[k]) == link
+        if busy:
+            near = min(near, at.apart[link])
+        else:
+            free = min(free, at.apart[link])
+    return free, near
+
+
+@inlined
 def first_touch(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, touch: float, h: float) -> float:
     """Fraction of the stride h at which the first new contact touches (gap between 0 and ``touch``); 1 if none does."""
-    free, near = gaps_after(hand, body, at, count, skin, touch, h, 0.0)
     speed = closing_speed(hand, at, body.reach)
+    far = speed * h + touch
+    if at.apart[0] < 0.0:
+        free, near = gaps_after(hand, body, at, count, skin, inf, h, 0.0)
+    else:
+        free, near = _gaps_now(at, len(hand.links), count)
     bend = 0.5 * speed * (1.0 + speed / body.reach * 0.25)
     level = 0.5 * touch
-    if min(free, near) <= level:
+    if min(free, near) <= level or min(free, near) > far:
         return 1.0
     a, step = 0.0, 1.0
     while a < 1.0:
         b = min(a + step, 1.0)
-        next_free, next_near = gaps_after(hand, body, at, count, skin, touch, h, b)
+        next_free, next_near = gaps_after(hand, body, at, count, skin, far, h, b)
         span = (b - a) * h
         if min(next_free, next_near) <= level:
             if span <= LONGEST_SEARCH:
-                return _locate(hand, body, at, count, skin, touch, h, a, b, min(free, near), min(next_free, next_near))
+                return _locate(hand, body, at, count, skin, touch, far, h, a, b, min(free, near), min(next_free, next_near))
             step = 0.5 * (b - a)
             continue
         clear = free + next_free > speed * span and min(near, next_near) > bend * span * span
@@ -212,7 +241,7 @@ def first_touch(hand: HandMotion, body: Body, at: Bench, count: int, skin: float
     return 1.0
 
 
-@compiled
+@inlined
 def first_change(hand: HandMotion, body: Body, at: Bench, count: int, slack: float, h: float, part: float) -> float:
     """Fraction of the stride, at most ``part``, at which an active contact is out of its range by ``slack``."""
     low, high = 0.0, part
@@ -230,7 +259,7 @@ def first_change(hand: HandMotion, body: Body, at: Bench, count: int, slack: flo
     return high
 
 
-@compiled
+@inlined
 def _least_range(hand: HandMotion, body: Body, at: Bench, count: int, h: float, part: float) -> float:
     x, y, theta = pose_after(at, h, part)
     place_links(hand, at.state[TIME] + part * h, at.state[RIGHT], at.state[LEFT], at.links)
@@ -242,7 +271,7 @@ def _least_range(hand: HandMotion, body: Body, at: Bench, count: int, h: float, 
 
 @compiled
 def _locate(
-    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, touch: float, h: float,
+    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, touch: float, far: float, h: float,
     a: float, b: float, at_a: float, at_b: float,
 ) -> float:  # fmt: skip
     """Where in [a, b] the least gap falls to half of ``touch``: false position, halving where that does not shrink."""
@@ -253,7 +282,7 @@ def _locate(
             part = 0.5 * (a + b)
         if k % 3 == 0:
             width = b - a
-        free, near = gaps_after(hand, body, at, count, skin, touch, h, part)
+        free, near = gaps_after(hand, body, at, count, skin, far, h, part)
         gap = min(free, near)
         if abs(gap - level) <= 0.4 * touch or b - a <= 1e-15:
             return part

@@ -19,14 +19,25 @@ Result = TypeVar("Result")
 
 
 def compiled(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
-    """The function as a numba kernel: cached on disk, without the interpreter lock, IEEE division by zero."""
-    kernel = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _nrt=False)(function)
-    return cast(Callable[Arguments, Result], kernel)
+    """The function as a numba kernel: cached on disk, without the interpreter lock, IEEE division by zero.
+
+    It cannot make arrays: reference counts, of which every call would pay one for each array in its arguments, are off.
+    """
+    return _kernel(function, _nrt=False)
+
+
+def inlined(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
+    """As ``compiled``, always inlined: a call copies every array's seven words of its arguments, tuples' included."""
+    return _kernel(function, _nrt=False, forceinline=True)
 
 
 def compiled_to_allocate(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
-    """As ``compiled`` for the few kernels that make arrays."""
-    kernel = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function)
+    """As ``compiled``, for the few kernels that make arrays."""
+    return _kernel(function)
+
+
+def _kernel(function: Callable[Arguments, Result], **options: bool) -> Callable[Arguments, Result]:
+    kernel = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, **options)(function)
     return cast(Callable[Arguments, Result], kernel)
 
 

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
+from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.metric import Metric, Triple, inverse, squared, times
 
 Floats = NDArray[np.float64]
@@ -77,9 +77,9 @@ def solve_contacts(metric: Metric, contacts: Floats, count: int, motions: Floats
     ``contacts`` (>= count, 7), ``motions`` (8, 11) and ``rows`` (8, 7), the latter for scratch. Loads balance
     B nu. More than eight motions are not recorded (none have been met).
     """
-    speed = _fill_rows(inverse(metric), contacts, count, rows)
+    speed = fill_rows(inverse(metric), contacts, count, rows)
     found = 0
-    if _keeps_clear(contacts, count, 0.0, 0.0, 0.0, TIGHT * speed):
+    if keeps_clear(contacts, count, 0.0, 0.0, 0.0, TIGHT * speed):
         found = _record(metric, 0.0, 0.0, 0.0, speed, motions, found)
     for k in range(SETS_UP_TO[count]):
         a, b, c = EDGE_SETS[k]
@@ -88,14 +88,14 @@ def solve_contacts(metric: Metric, contacts: Floats, count: int, motions: Floats
     return found
 
 
-@compiled
+@inlined
 def _is_double(contacts: Floats, edge: int) -> bool:
     """Whether it is the second edge of a contact without friction, whose cone has only one."""
     return edge % 2 == 1 and contacts[edge // 2, 6] == 0.0
 
 
-@compiled
-def _fill_rows(mobility: Metric, contacts: Floats, count: int, rows: Floats) -> float:
+@inlined
+def fill_rows(mobility: Metric, contacts: Floats, count: int, rows: Floats) -> float:
     """Per contact a normal and a tangential row: Jacobian (3), mobility times it (3), the hand's speed along it.
 
     Returns the largest speed of the hand.
@@ -114,23 +114,25 @@ def _fill_rows(mobility: Metric, contacts: Floats, count: int, rows: Floats) -> 
     return speed
 
 
-@compiled
+@inlined
 def _entry(rows: Floats, constraint: int, contact: int, lean: float) -> float:
     """Speed along the row ``constraint`` per load on an edge of the contact that has the tangential part ``lean``."""
-    total: float = 0.0
-    for k in range(3):
-        total += rows[constraint, k] * (rows[2 * contact, 3 + k] + lean * rows[2 * contact + 1, 3 + k])
-    return total
+    row, normal, tangent = rows[constraint], rows[2 * contact], rows[2 * contact + 1]
+    return (
+        row[0] * (normal[3] + lean * tangent[3])
+        + row[1] * (normal[4] + lean * tangent[4])
+        + row[2] * (normal[5] + lean * tangent[5])
+    )
 
 
-@compiled
+@inlined
 def _lean(contacts: Floats, edge: int) -> float:
     friction: float = contacts[edge // 2, 6]
     return friction if edge % 2 == 0 else -friction
 
 
-@compiled
-def _loads(contacts: Floats, rows: Floats, a: int, b: int, c: int) -> tuple[bool, float, float, float]:
+@inlined
+def edge_loads(contacts: Floats, rows: Floats, a: int, b: int, c: int) -> tuple[bool, float, float, float]:
     """Loads on the edges a < b < c (b, c may be NONE) that move their contacts as constrained; False: singular."""
     r1 = a // 2 * 2
     a11 = _entry(rows, r1, a // 2, _lean(contacts, a))
@@ -157,7 +159,7 @@ def _loads(contacts: Floats, rows: Floats, a: int, b: int, c: int) -> tuple[bool
     return abs(det) > 1e-12 * size, first / det, second / det, third / det
 
 
-@compiled
+@inlined
 def _moved(contacts: Floats, rows: Floats, edge: int, load: float) -> Triple:
     """The twist that a load on one edge causes."""
     normal, tangent, lean = rows[edge // 2 * 2], rows[edge // 2 * 2 + 1], _lean(contacts, edge)
@@ -168,16 +170,11 @@ def _moved(contacts: Floats, rows: Floats, edge: int, load: float) -> Triple:
     )
 
 
-@compiled
-def _try_edges(
-    metric: Metric, contacts: Floats, count: int, motions: Floats, rows: Floats, found: int, speed: float,
-    a: int, b: int, c: int,
-) -> int:  # fmt: skip
-    """Record the motion with loads on these edges if it is admissible; returns how many motions there are now."""
-    regular, la, lb, lc = _loads(contacts, rows, a, b, c)
-    least = -TIGHT * (abs(la) + abs(lb) + abs(lc))
-    if not (regular and la >= least and lb >= least and lc >= least):
-        return found
+@inlined
+def edges_twist(
+    contacts: Floats, rows: Floats, a: int, b: int, c: int, la: float, lb: float, lc: float
+) -> Triple:  # fmt: skip
+    """The twist that loads on up to three edges cause."""
     x, y, w = _moved(contacts, rows, a, la)
     if b >= 0:
         x2, y2, w2 = _moved(contacts, rows, b, lb)
@@ -185,9 +182,18 @@ def _try_edges(
     if c >= 0:
         x3, y3, w3 = _moved(contacts, rows, c, lc)
         x, y, w = x + x3, y + y3, w + w3
+    return x, y, w
+
+
+@inlined
+def is_admissible(
+    contacts: Floats, count: int, rows: Floats, speed: float,
+    a: int, b: int, c: int, x: float, y: float, w: float,
+) -> bool:  # fmt: skip
+    """Whether a twist with loads on these edges closes no gap, and slips against the load where an edge is alone."""
     slack = TIGHT * (speed + abs(x) + abs(y) + abs(w) * _reach(contacts, count))
-    if not _keeps_clear(contacts, count, x, y, w, slack):
-        return found
+    if not keeps_clear(contacts, count, x, y, w, slack):
+        return False
     for edge in (a, b, c):
         if edge < 0:
             continue
@@ -196,7 +202,23 @@ def _try_edges(
         slip = row[0] * x + row[1] * y + row[2] * w - row[6]
         alone = other not in (a, b, c)
         if alone and contacts[edge // 2, 6] > 0.0 and (slip if edge % 2 == 0 else -slip) > slack:
-            return found
+            return False
+    return True
+
+
+@inlined
+def _try_edges(
+    metric: Metric, contacts: Floats, count: int, motions: Floats, rows: Floats, found: int, speed: float,
+    a: int, b: int, c: int,
+) -> int:  # fmt: skip
+    """Record the motion with loads on these edges if it is admissible; returns how many motions there are now."""
+    regular, la, lb, lc = edge_loads(contacts, rows, a, b, c)
+    least = -TIGHT * (abs(la) + abs(lb) + abs(lc))
+    if not (regular and la >= least and lb >= least and lc >= least):
+        return found
+    x, y, w = edges_twist(contacts, rows, a, b, c, la, lb, lc)
+    if not is_admissible(contacts, count, rows, speed, a, b, c, x, y, w):
+        return found
     after = _record(metric, x, y, w, speed, motions, found)
     if after > found:
         for edge, load in ((a, la), (b, lb), (c, lc)):
@@ -206,7 +228,7 @@ def _try_edges(
     return after
 
 
-@compiled
+@inlined
 def _reach(contacts: Floats, count: int) -> float:
     reach = 0.0
     for i in range(count):
@@ -214,8 +236,8 @@ def _reach(contacts: Floats, count: int) -> float:
     return reach
 
 
-@compiled
-def _keeps_clear(contacts: Floats, count: int, x: float, y: float, w: float, slack: float) -> bool:
+@inlined
+def keeps_clear(contacts: Floats, count: int, x: float, y: float, w: float, slack: float) -> bool:
     """Whether no gap closes faster than ``slack`` under the twist (x, y, w)."""
     for i in range(count):
         dx, dy = x - w * contacts[i, 1] - contacts[i, 4], y + w * contacts[i, 0] - contacts[i, 5]
@@ -231,7 +253,7 @@ def copy_motion(source: Floats, source_row: int, target: Floats, target_row: int
         target[target_row, k] = source[source_row, k]
 
 
-@compiled
+@inlined
 def _record(metric: Metric, x: float, y: float, w: float, speed: float, motions: Floats, found: int) -> int:
     """Append the motion without loads unless it is known already or there is no room."""
     if found == MOST_MOTIONS:

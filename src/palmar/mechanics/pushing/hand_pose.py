@@ -107,6 +107,9 @@ def place_links(hand: HandMotion, time: float, right: float, left: float, rows: 
     for finger in range(2):
         side = 1.0 if finger == 0 else -1.0
         stopped = right if finger == 0 else left
+        if finger == 1 and left == right:
+            _mirror_links(rows, count, base_x, hand.vx)
+            return
         psi, rate = (time, 1.0) if stopped == MOVING else (stopped, 0.0)
         x, y, vx, vy, angle, turn = side * hand.half_palm, 0.0, hand.vx, hand.vy, psi, rate
         for j in range(count):
@@ -118,6 +121,15 @@ def place_links(hand: HandMotion, time: float, right: float, left: float, rows: 
             row[4], row[5], row[6], row[7] = side * turn, vx, vy, hand.half_thickness
             x, y = x + dx, y + dy
             vx, vy = vx - side * turn * dy, vy + side * turn * dx
+
+
+@compiled
+def _mirror_links(rows: Floats, count: int, base_x: float, base_vx: float) -> None:
+    """Write the left finger's links as the right one's mirror images."""
+    for j in range(1, count + 1):
+        one, other = rows[j], rows[count + j]
+        other[0], other[1], other[2], other[3] = 2.0 * base_x - one[0], one[1], 2.0 * base_x - one[2], one[3]
+        other[4], other[5], other[6], other[7] = -one[4], 2.0 * base_vx - one[5], one[6], one[7]
 
 
 @compiled

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from palmar.mechanics.pushing import ellipsoid, sampled_pressure, uniform_disk, uniform_polygon
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.metric import Metric, Triple, inverse, squared, times
 from palmar.mechanics.pushing.pressure_cells import Cells, triangle_rule
 
@@ -27,41 +27,42 @@ class LimitSurface(NamedTuple):
 
     kind: int
     length: float
-    vertices: Floats
+    edges: Floats
     points: Floats
     weights: Floats
     spreads: Floats
 
 
-_NONE, _NO_POINTS = np.empty(0), np.empty((0, 2))
+_NONE, _NO_POINTS, _NO_EDGES = np.empty(0), np.empty((0, 2)), np.empty((0, 5))
 
 
 def ellipsoid_surface(length: float) -> LimitSurface:
     """Ellipsoid with c = ``length`` (m) about the centre of pressure."""
-    return LimitSurface(ELLIPSOID, float(length), _NO_POINTS, _NO_POINTS, _NONE, _NONE)
+    return LimitSurface(ELLIPSOID, float(length), _NO_EDGES, _NO_POINTS, _NONE, _NONE)
 
 
 def disk_surface(radius: float) -> LimitSurface:
     """Uniform disk of ``radius`` (m) about its centre, exact."""
-    return LimitSurface(UNIFORM_DISK, 2.0 * float(radius) / 3.0, _NO_POINTS, _NO_POINTS, _NONE, _NONE)
+    return LimitSurface(UNIFORM_DISK, 2.0 * float(radius) / 3.0, _NO_EDGES, _NO_POINTS, _NONE, _NONE)
 
 
 def polygon_surface(vertices: ArrayLike) -> LimitSurface:
     """Uniform convex polygon, counter-clockwise ``vertices`` (V, 2) in m about the reference point, exact."""
     corners = np.ascontiguousarray(vertices, dtype=float)
     points, weights, spreads = triangle_rule(corners)
-    length = float(uniform_polygon.means_about(corners, 0.0, 0.0)[0])
-    return LimitSurface(UNIFORM_POLYGON, length, corners, points, weights, spreads)
+    edges = uniform_polygon.outline(corners)
+    length = float(uniform_polygon.means_about(edges, 0.0, 0.0)[0])
+    return LimitSurface(UNIFORM_POLYGON, length, edges, points, weights, spreads)
 
 
 def sampled_surface(cells: Cells) -> LimitSurface:
     """Pressure on points about the reference point: points (N, 2) in m, weights (N,) with sum 1, spreads (N,) in m."""
     points, weights, spreads = (np.ascontiguousarray(each, dtype=float) for each in cells)
     length = float(np.sqrt(points[:, 0] ** 2 + points[:, 1] ** 2 + spreads**2) @ weights)
-    return LimitSurface(SAMPLED, length, _NO_POINTS, points, weights, spreads)
+    return LimitSurface(SAMPLED, length, _NO_EDGES, points, weights, spreads)
 
 
-@compiled
+@inlined
 def tangent_metric(surface: LimitSurface, vx: float, vy: float, omega: float) -> Metric:
     """Hessian of Phi^2/2 over Phi at a twist that is not zero."""
     if surface.kind == ELLIPSOID:
@@ -69,7 +70,7 @@ def tangent_metric(surface: LimitSurface, vx: float, vy: float, omega: float) ->
     if surface.kind == UNIFORM_DISK:
         return uniform_disk.tangent_metric(1.5 * surface.length, vx, vy, omega)
     if _near(surface, vx, vy, omega):
-        return uniform_polygon.tangent_metric(surface.vertices, vx, vy, omega)
+        return uniform_polygon.tangent_metric(surface.edges, vx, vy, omega)
     return sampled_pressure.tangent_metric(surface.points, surface.weights, surface.spreads, vx, vy, omega)
 
 
@@ -81,11 +82,11 @@ def secant_metric(surface: LimitSurface, vx: float, vy: float, omega: float) -> 
     if surface.kind == UNIFORM_DISK:
         return uniform_disk.secant_metric(1.5 * surface.length, vx, vy, omega)
     if _near(surface, vx, vy, omega):
-        return uniform_polygon.secant_metric(surface.vertices, vx, vy, omega)
+        return uniform_polygon.secant_metric(surface.edges, vx, vy, omega)
     return sampled_pressure.secant_metric(surface.points, surface.weights, surface.spreads, vx, vy, omega)
 
 
-@compiled
+@inlined
 def _near(surface: LimitSurface, vx: float, vy: float, omega: float) -> bool:
     """Whether the closed form of the polygon is to be used: the centre of rotation is not far away."""
     if surface.kind != UNIFORM_POLYGON:

@@ -6,27 +6,27 @@ are kept as a tuple (xx, xy, yy, xw, yw, ww), w standing for omega: kernels pass
 
 from __future__ import annotations
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import inlined
 
 Metric = tuple[float, float, float, float, float, float]
 Triple = tuple[float, float, float]
 
 
-@compiled
+@inlined
 def times(metric: Metric, x: float, y: float, w: float) -> Triple:
     """metric @ (x, y, w)."""
     xx, xy, yy, xw, yw, ww = metric
     return xx * x + xy * y + xw * w, xy * x + yy * y + yw * w, xw * x + yw * y + ww * w
 
 
-@compiled
+@inlined
 def squared(metric: Metric, x: float, y: float, w: float) -> float:
     """(x, y, w) metric (x, y, w)."""
     fx, fy, moment = times(metric, x, y, w)
     return fx * x + fy * y + moment * w
 
 
-@compiled
+@inlined
 def inverse(metric: Metric) -> Metric:
     """The inverse matrix, by cofactors."""
     xx, xy, yy, xw, yw, ww = metric
@@ -36,7 +36,7 @@ def inverse(metric: Metric) -> Metric:
     return c_xx * scale, c_xy * scale, c_yy * scale, c_xw * scale, c_yw * scale, c_ww * scale
 
 
-@compiled
+@inlined
 def with_load(hessian: Metric, fx: float, fy: float, moment: float, power: float) -> Metric:
     """Hessian of power^2 / 2 divided by power, from the Hessian and the gradient (fx, fy, moment) of the power."""
     xx, xy, yy, xw, yw, ww = hessian

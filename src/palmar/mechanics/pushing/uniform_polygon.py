@@ -14,7 +14,7 @@ Derived in docs/derivations/limit_surface.md.
 
 from __future__ import annotations
 
-from math import hypot, log
+from math import log, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,21 +28,28 @@ FAR = 60.0
 """Centres of rotation beyond this many characteristic lengths are left to sampled points."""
 
 
+def outline(vertices: Floats) -> Floats:
+    """Per edge of the counter-clockwise ``vertices`` (V, 2): begin (x, y), direction (x, y), length; (V, 5)."""
+    begin = np.roll(vertices, 1, axis=0)
+    edges = vertices - begin
+    lengths = np.hypot(edges[:, :1], edges[:, 1:])
+    return np.ascontiguousarray(np.hstack([begin, edges / lengths, lengths]))
+
+
 @compiled
-def means_about(vertices: Floats, cx: float, cy: float) -> Means:
+def means_about(edges: Floats, cx: float, cy: float) -> Means:
     """Means over the polygon: distance from c, unit vector from c (x, y), 1/distance, and the Hessian of the first.
 
-    ``vertices`` (V, 2) counter-clockwise; returns (D, gx, gy, inverse distance, D_xx, D_xy, D_yy).
+    ``edges`` as from ``outline``; returns (D, gx, gy, inverse distance, D_xx, D_xy, D_yy).
     """
     distance, gx, gy, inverse, xx, xy, yy, area = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    last = len(vertices) - 1
-    x1, y1 = vertices[last, 0] - cx, vertices[last, 1] - cy
-    r1 = hypot(x1, y1)
-    for i in range(len(vertices)):
-        x2, y2 = vertices[i, 0] - cx, vertices[i, 1] - cy
-        r2, length = hypot(x2, y2), hypot(x2 - x1, y2 - y1)
-        tx, ty = (x2 - x1) / length, (y2 - y1) / length
-        d, s1, s2 = x1 * ty - y1 * tx, x1 * tx + y1 * ty, x2 * tx + y2 * ty
+    x, y = edges[0, 0] - cx, edges[0, 1] - cy
+    r1 = sqrt(x * x + y * y)
+    for i in range(len(edges)):
+        x, y, tx, ty, length = edges[i, 0] - cx, edges[i, 1] - cy, edges[i, 2], edges[i, 3], edges[i, 4]
+        d, s1 = x * ty - y * tx, x * tx + y * ty
+        s2 = s1 + length
+        r2 = sqrt(d * d + s2 * s2)
         short = r1 + r2 - length
         d_log = d * log((r1 + r2 + length) / short) if short > 0.0 else 0.0
         along = 0.5 * (s2 * r2 - s1 * r1 + d * d_log)
@@ -53,15 +60,16 @@ def means_about(vertices: Floats, cx: float, cy: float) -> Means:
         xx += ty * (tx * (r2 - r1) + ty * d_log)
         xy += ty * (ty * (r2 - r1) - tx * d_log)
         yy -= tx * (ty * (r2 - r1) - tx * d_log)
-        x1, y1, r1 = x2, y2, r2
-    return distance / area, gx / area, gy / area, inverse / area, xx / area, xy / area, yy / area
+        r1 = r2
+    share = 1.0 / area
+    return distance * share, gx * share, gy * share, inverse * share, xx * share, xy * share, yy * share
 
 
 @compiled
-def secant_metric(vertices: Floats, vx: float, vy: float, omega: float) -> Metric:
-    """Integral of J^T J / |velocity| over the polygon, about the vertices' origin; omega is not zero."""
+def secant_metric(edges: Floats, vx: float, vy: float, omega: float) -> Metric:
+    """Integral of J^T J / |velocity| over the polygon, about the outline's origin; omega is not zero."""
     cx, cy = -vy / omega, vx / omega
-    distance, gx, gy, inverse, _, _, _ = means_about(vertices, cx, cy)
+    distance, gx, gy, inverse, _, _, _ = means_about(edges, cx, cy)
     x, y = gx + cx * inverse, gy + cy * inverse
     square = distance + gx * cx + gy * cy + cx * x + cy * y
     scale = 1.0 / abs(omega)
@@ -69,10 +77,10 @@ def secant_metric(vertices: Floats, vx: float, vy: float, omega: float) -> Metri
 
 
 @compiled
-def tangent_metric(vertices: Floats, vx: float, vy: float, omega: float) -> Metric:
-    """Hessian of Phi^2 / 2, divided by Phi, about the vertices' origin; omega is not zero."""
+def tangent_metric(edges: Floats, vx: float, vy: float, omega: float) -> Metric:
+    """Hessian of Phi^2 / 2, divided by Phi, about the outline's origin; omega is not zero."""
     cx, cy = -vy / omega, vx / omega
-    distance, gx, gy, _, c_xx, c_xy, c_yy = means_about(vertices, cx, cy)
+    distance, gx, gy, _, c_xx, c_xy, c_yy = means_about(edges, cx, cy)
     scale, sign = 1.0 / abs(omega), 1.0 if omega > 0.0 else -1.0
     xx, xy, yy = c_yy * scale, -c_xy * scale, c_xx * scale  # the centre moves by a quarter turn of v / omega
     ux, uy = vx / omega, vy / omega
