@@ -22,17 +22,22 @@ STRUCTURAL, FRICTIONAL, CAGED = Outcome.STRUCTURAL.code, Outcome.FRICTIONAL.code
 ESCAPED, MISSED, JAMMED = Outcome.ESCAPED.code, Outcome.MISSED.code, Outcome.JAMMED.code
 SLACK = 1e-5
 """Angles (rad) and balances within this count as reached."""
+PINCHED_SLACK = 1e-3
+"""The same for the end of a pinch without friction, which is extrapolated."""
 
 
 @compiled
 def verdict(
     links: Floats, pairs: int, contacts: Floats, count: int, x: float, y: float, width: float, reach: float,
-    touched: bool, stalls: int,
+    touched: bool, stalls: int, slack: float,
 ) -> int:  # fmt: skip
-    """Outcome code from the final ``links`` (see hand_pose), ``contacts`` (see contact_solve) and number of stalls."""
+    """Outcome code from the final ``links`` (see hand_pose), ``contacts`` (see contact_solve) and number of stalls.
+
+    ``slack`` (rad) is that of two opposed contacts.
+    """
     if touched and normals_span(contacts, count):
         return STRUCTURAL
-    if stalls > 0 and forces_balance(contacts, count, reach):
+    if stalls > 0 and forces_balance(contacts, count, reach, slack):
         return FRICTIONAL
     if in_pocket(links, pairs, x, y) and opening(links, pairs) < width:
         return CAGED
@@ -58,11 +63,11 @@ def normals_span(contacts: Floats, count: int) -> bool:
 
 
 @compiled
-def forces_balance(contacts: Floats, count: int, reach: float) -> bool:
+def forces_balance(contacts: Floats, count: int, reach: float, slack: float) -> bool:
     """Whether loads inside the friction cones, not all zero, balance in force and moment."""
     for i in range(count):
         for j in range(i):
-            if _see_each_other(contacts[i], contacts[j]):
+            if _see_each_other(contacts[i], contacts[j], slack):
                 return True
     edges = 2 * count
     for a in range(edges):
@@ -75,7 +80,7 @@ def forces_balance(contacts: Floats, count: int, reach: float) -> bool:
 
 
 @compiled
-def _see_each_other(one: Floats, other: Floats) -> bool:
+def _see_each_other(one: Floats, other: Floats, slack: float) -> bool:
     """Whether the line between two contacts lies in both friction cones."""
     dx, dy = other[0] - one[0], other[1] - one[1]
     length = hypot(dx, dy)
@@ -84,7 +89,7 @@ def _see_each_other(one: Floats, other: Floats) -> bool:
     dx, dy = dx / length, dy / length
     lean, far = abs(one[2] * dy - one[3] * dx), abs(other[2] * dy - other[3] * dx)
     straight, back = one[2] * dx + one[3] * dy, -other[2] * dx - other[3] * dy
-    return straight > 0.0 and back > 0.0 and lean <= one[6] * straight + SLACK and far <= other[6] * back + SLACK
+    return straight > 0.0 and back > 0.0 and lean <= one[6] * straight + slack and far <= other[6] * back + slack
 
 
 @compiled

@@ -3,6 +3,10 @@
 A finger without which there is a motion stalls alone. If there is none without the right and none without the left, or
 one without either, both stall. (By duality a jam is a set of loads inside the friction cones that balance and on which
 the hand does work; stopping one finger only helps if its share of that work was all of it.)
+
+Two contacts without friction that pinch an object turn it ever faster to where they oppose each other: the time left
+is t* - t, the rest of the turn goes as sqrt(t* - t), the loads grow without bound. The end of that way, which no stride
+can reach, is extrapolated from where the loads are ``PINCHING``.
 """
 
 from __future__ import annotations
@@ -11,9 +15,9 @@ from math import inf
 
 from palmar.mechanics.pushing.closing_events import STALLS, note
 from palmar.mechanics.pushing.closing_motion import (
-    FENCE,
     LEFT,
     OMEGA,
+    PINCHED,
     RIGHT,
     SEVERAL,
     THETA,
@@ -23,21 +27,24 @@ from palmar.mechanics.pushing.closing_motion import (
     Bench,
     X,
     Y,
-    continued_twist,
     full_twist,
+    mode_twist,
     write_contacts,
 )  # fmt: skip
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of
 from palmar.mechanics.pushing.polygon_contacts import Body, link_of
 
-JAM = 1e-8
-"""A jam is located to this angle (rad)."""
+PINCHING = 30.0
+"""Load, in units of the friction with the table, from which two contacts without friction may be about to pinch."""
+NEAR_PINCH = 5e-5
+"""Time (rad) within which the end of a pinch is extrapolated: right to 1e-5 rad there."""
+PROBE = 1e-7
 
 
 @compiled
-def _moves_without(hand: HandMotion, body: Body, at: Bench, count: int, finger: int) -> bool:
-    """Whether there is a motion at the contacts written if one finger (2: both) stops."""
+def _moves_without(hand: HandMotion, body: Body, at: Bench, count: int, finger: int, bearable: float) -> bool:
+    """Whether there is a motion, with bearable loads, at the contacts written if one finger (2: both) stops."""
     speed = 0.0
     for k in range(count):
         row, owner = at.contacts[k], finger_of(hand, link_of(at.active[k]))
@@ -45,19 +52,27 @@ def _moves_without(hand: HandMotion, body: Body, at: Bench, count: int, finger: 
             row[4], row[5] = hand.vx, hand.vy
         speed = max(speed, abs(row[4]) + abs(row[5]))
     guess = at.state[VX], at.state[VY], at.state[OMEGA]
-    return full_twist(body, at, count, speed, guess) > 0
+    return full_twist(body, at, count, speed, guess) > 0 and _most_load(at, count) <= bearable
+
+
+@compiled
+def _most_load(at: Bench, count: int) -> float:
+    most = 0.0
+    for k in range(count):
+        most = max(most, at.loads[k, 0])
+    return most
 
 
 @compiled
 def stall(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> None:
-    """Stop the fingers because of which there is no motion at the pose and time in ``at.trial``."""
-    s, t = at.state, at.trial
+    """Stop the fingers because of which there is no motion at the state."""
+    s, bearable = at.state, PINCHING if at.state[PINCHED] > 0.0 else inf
     stop_right, stop_left = s[RIGHT] == MOVING, s[LEFT] == MOVING
     if stop_right and stop_left:
-        write_contacts(hand, body, at, count, skin, t[3], s[RIGHT], s[LEFT], t[0], t[1], t[2])
-        without_right = _moves_without(hand, body, at, count, 0)
-        write_contacts(hand, body, at, count, skin, t[3], s[RIGHT], s[LEFT], t[0], t[1], t[2])
-        without_left = _moves_without(hand, body, at, count, 1)
+        write_contacts(hand, body, at, count, skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
+        without_right = _moves_without(hand, body, at, count, 0, bearable)
+        write_contacts(hand, body, at, count, skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
+        without_left = _moves_without(hand, body, at, count, 1, bearable)
         if without_right != without_left:
             stop_right, stop_left = without_right, without_left
     if stop_right:
@@ -66,36 +81,25 @@ def stall(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> N
     if stop_left:
         s[LEFT] = s[TIME]
         note(at, STALLS, 1)
-    s[VX], s[VY], s[OMEGA], s[SEVERAL], s[FENCE] = 0.0, 0.0, 0.0, 0.0, inf
+    s[VX], s[VY], s[OMEGA], s[SEVERAL] = 0.0, 0.0, 0.0, 0.0
 
 
 @compiled
-def _probe(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: float) -> bool:
-    """Whether there is a motion after going on by h with the state's twist."""
-    s, t = at.state, at.trial
-    x, y, theta, time = s[X] + h * s[VX], s[Y] + h * s[VY], s[THETA] + h * s[OMEGA], s[TIME] + h
-    speed = write_contacts(hand, body, at, count, skin, time, s[RIGHT], s[LEFT], x, y, theta)
-    if continued_twist(body, at, count, speed, (s[VX], s[VY], s[OMEGA])) > 0:
-        return True
-    t[0], t[1], t[2], t[3] = x, y, theta, time
-    return False
-
-
-@compiled
-def to_the_jam(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> bool:
-    """Go on to just before the jam that is near and stall there; False if there is none after all."""
+def pinch(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> bool:
+    """Go on to the end of a pinch without friction if the state, whose twist is known, is near one."""
     s = at.state
-    low, high = 0.0, s[FENCE] - s[TIME]
-    if _probe(hand, body, at, count, skin, high):
-        s[FENCE] = inf
+    if body.friction > 0.0 or count < 2 or _most_load(at, count) < PINCHING:
         return False
-    while high - low > JAM:
-        middle = 0.5 * (low + high)
-        if _probe(hand, body, at, count, skin, middle):
-            low = middle
-        else:
-            high = middle
-    s[X], s[Y], s[THETA], s[TIME] = s[X] + low * s[VX], s[Y] + low * s[VY], s[THETA] + low * s[OMEGA], s[TIME] + low
-    at.apart[:] = -1.0
-    stall(hand, body, at, count, skin)
+    x, y, theta = s[X] + PROBE * s[VX], s[Y] + PROBE * s[VY], s[THETA] + PROBE * s[OMEGA]
+    speed = write_contacts(hand, body, at, count, skin, s[TIME] + PROBE, s[RIGHT], s[LEFT], x, y, theta)
+    moves, _ = mode_twist(body, at, count, speed, (s[VX], s[VY], s[OMEGA]))
+    motion, reach = at.space.motions[0], body.reach
+    before = s[VX] ** 2 + s[VY] ** 2 + (reach * s[OMEGA]) ** 2
+    growth = (motion[0] ** 2 + motion[1] ** 2 + (reach * motion[2]) ** 2) / before
+    left = PROBE * growth / (growth - 1.0)
+    if not (moves and growth > 1.0 and left < NEAR_PINCH):
+        return False
+    s[X], s[Y], s[THETA] = s[X] + 2.0 * left * s[VX], s[Y] + 2.0 * left * s[VY], s[THETA] + 2.0 * left * s[OMEGA]
+    s[TIME] += left * (1.0 + 1e-4)
+    s[PINCHED] = 1.0
     return True

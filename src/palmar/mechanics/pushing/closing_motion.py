@@ -1,13 +1,13 @@
 """The twist of an object on a table at one moment of a closing motion, from the contacts that touch.
 
-``solve_motion`` tries every mode of every contact and finds all admissible motions. Within a step the mode rarely
-changes, so ``continued_twist`` first tries Newton's method in the mode of the last motion alone and checks that what it
-finds is admissible; only where it is not are all modes tried again.
+``solve_motion`` tries every mode of every contact and finds all admissible motions. Within a step the mode stays
+the same, so ``mode_twist`` uses Newton's method in the mode of the last motion alone, and says how far the motion found
+is from being inadmissible; where it becomes so, all modes are tried again.
 """
 
 from __future__ import annotations
 
-from math import inf
+from math import cos, inf, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -17,59 +17,41 @@ from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, in
 from palmar.mechanics.pushing.contact_solve import (
     CONTACT_WIDTH,
     MOST_CONTACTS,
-    TIGHT,
     Workspace,
     edge_loads,
     edges_twist,
     fill_rows,
-    is_admissible,
     keeps_clear,
+    margin_left,
     workspace,
 )
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, HandMotion, place_links
-from palmar.mechanics.pushing.limit_surface import ELLIPSOID, tangent_metric
+from palmar.mechanics.pushing.limit_surface import tangent_metric
 from palmar.mechanics.pushing.metric import Triple, inverse, squared
 from palmar.mechanics.pushing.motion_solve import solve_motion, start_metric
-from palmar.mechanics.pushing.polygon_contacts import MOST_ACTIVE, SKIN, Body, write_contact
+from palmar.mechanics.pushing.polygon_contacts import MOST_ACTIVE, Body, write_contact
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 PASSES = 8
 LAST_CHANGE = 2e-5
 """Relative change of the motion at which Newton's pass, of quadratic convergence, is the last in a known mode."""
-NONE = -2
+NONE, MANY = -2, -3
+"""In place of an edge: no load; the loads are on more than three edges, or not known."""
 CLEAR = 1e-8
-TOUCH = 2e-8
-"""Gaps up to this part of the finger's length touch."""
-STATE_WIDTH, MOST_BRANCHES = 16, 8
-X, Y, THETA, TIME, RIGHT, LEFT, VX, VY, OMEGA, TOUCHED, DEPTH, SEVERAL, FENCE, FLAGS, LOGGED, KINK = range(16)
+STATE_WIDTH, MOST_BRANCHES = 15, 8
+X, Y, THETA, TIME, RIGHT, LEFT, VX, VY, OMEGA, TOUCHED, DEPTH, SEVERAL, FLAGS, LOGGED, PINCHED = range(15)
 """Entries of a state: pose, time, stall angles (or MOVING), last twist, whether a finger has touched it, number of
-alternatives taken, whether those here are noted, time at which no motion is admissible, flags, number of events,
-time by which a contact begins or ends to slide."""
-
-
-class Scale(NamedTuple):
-    """Lengths (m): skin of line links against polygons, gap that touches, error allowed per stride."""
-
-    skin: float
-    touch: float
-    error: float
-
-
-@compiled
-def scale_of(hand: HandMotion, body: Body, tolerance: float) -> Scale:
-    """The kernel's small lengths."""
-    length = hand.links.sum()
-    return Scale(SKIN * length if body.radius == 0.0 else 0.0, TOUCH * length, tolerance * length)
+alternatives taken, whether those here are noted, flags, number of events, whether it was pinched without friction."""
 
 
 class Bench(NamedTuple):
     """Everything that a start's way through the motion writes to: one per start, no allocation after it.
 
-    ``apart`` is each link's least gap but for its active contacts at the state, all below zero where that is not known.
+    ``apart`` is each link's least gap but for its active contacts at the state, or less.
     ``loads`` (per active contact: normal and tangential) and ``edges`` belong to the last motion found; ``modes`` is one
-    for each link; ``stages`` are the twists of one step, ``trial`` the pose and time that a stage failed at; ``branches``
-    are the alternatives still to be followed; ``log`` the events.
+    for each link; ``stages`` are the twists of one step; ``pivot`` (on, x, y, rate) is what the object turns about where it turns with a
+    link; ``branches`` are the alternatives still to be followed; ``log`` the events.
     """
 
     links: Floats
@@ -84,7 +66,7 @@ class Bench(NamedTuple):
     modes: Integers
     stages: Floats
     state: Floats
-    trial: Floats
+    pivot: Floats
     branches: Floats
     log: Floats
     space: Workspace
@@ -120,10 +102,10 @@ def write_contacts(
 ) -> float:  # fmt: skip
     """Place the links, write the active contacts' rows and gaps, and return the largest speed of the hand at any of them."""
     place_links(hand, time, right, left, at.links)
-    speed = 0.0
+    speed, c, s = 0.0, cos(theta), sin(theta)
     for k in range(count):
         row = at.contacts[k]
-        at.gaps[k] = write_contact(body, at.links, skin, at.active[k], at.sides[k], x, y, theta, row)
+        at.gaps[k] = write_contact(body, at.links, skin, at.active[k], at.sides[k], x, y, c, s, row)
         speed = max(speed, abs(row[4]) + abs(row[5]))
     return speed
 
@@ -154,7 +136,7 @@ def full_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
 
 @compiled
 def _note_edges(at: Bench, count: int) -> None:
-    """The edges of the friction cones that carry the last motion; the first NONE if there are more than three."""
+    """The edges of the friction cones that carry the last motion; the first MANY if there are more than three."""
     at.edges[:] = NONE
     number = 0
     for k in range(count):
@@ -167,7 +149,7 @@ def _note_edges(at: Bench, count: int) -> None:
             if (side == 1 and at.contacts[k, 6] == 0.0) or (lost <= 1e-9 * bound and at.contacts[k, 6] > 0.0):
                 continue
             if number == 3:
-                at.edges[:] = NONE
+                at.edges[0] = MANY
                 return
             at.edges[number] = 2 * k + side
             number += 1
@@ -200,21 +182,26 @@ def _by_threes(body: Body, at: Bench, count: int, guess: Triple) -> int:
     for m in range(3):
         if number > 0:
             at.loads[chosen[m], 0], at.loads[chosen[m], 1] = loads[m]
-    at.edges[:] = NONE
+    at.edges[0] = MANY
     at.space.motions[0, 0], at.space.motions[0, 1], at.space.motions[0, 2] = answer
     return number
 
 
 @inlined
-def continued_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -> int:
-    """As ``full_twist`` but only one motion, in the mode of the last one where that is admissible."""
-    if speed == 0.0 or count > MOST_CONTACTS or at.edges[0] == NONE:
-        return full_twist(body, at, count, speed, guess)
+def mode_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -> tuple[bool, float]:
+    """The motion at the contacts written in the mode of ``at.edges``, in ``at.space.motions[0]``, admissible or not.
+
+    Returns (whether there is one, how far it is from being inadmissible, see ``margin_left``). Where no mode of up to
+    three edges is known, the first of all admissible motions, with margin 1.
+    """
+    motion, contacts, rows = at.space.motions[0], at.contacts, at.space.rows
     x, y, w = guess
     a, b, c = at.edges[0], at.edges[1], at.edges[2]
-    if body.surface.kind != ELLIPSOID and x == 0.0 and y == 0.0 and w == 0.0:
-        return full_twist(body, at, count, speed, guess)
-    contacts, rows = at.contacts, at.space.rows
+    if a == MANY:
+        return full_twist(body, at, count, speed, guess) > 0, 1.0
+    if a == NONE:
+        motion[0], motion[1], motion[2] = 0.0, 0.0, 0.0
+        return True, _rate_at_rest(contacts, count, speed)
     for _ in range(PASSES):
         metric = tangent_metric(body.surface, x, y, w)
         fill_rows(inverse(metric), contacts, count, rows)
@@ -222,15 +209,21 @@ def continued_twist(body: Body, at: Bench, count: int, speed: float, guess: Trip
         nx, ny, nw = edges_twist(contacts, rows, a, b, c, la, lb, lc)
         change = squared(metric, nx - x, ny - y, nw - w)
         x, y, w = nx, ny, nw
-        if change <= LAST_CHANGE * LAST_CHANGE * squared(metric, x, y, w):
-            least = -TIGHT * (abs(la) + abs(lb) + abs(lc))
-            bears = regular and la >= least and lb >= least and lc >= least
-            if bears and is_admissible(contacts, count, rows, speed, a, b, c, x, y, w):
-                _write_loads(at, count, a, b, c, la, lb, lc)
-                at.space.motions[0, 0], at.space.motions[0, 1], at.space.motions[0, 2] = x, y, w
-                return 1
-            break
-    return full_twist(body, at, count, speed, guess)
+        if regular and change <= LAST_CHANGE * LAST_CHANGE * squared(metric, x, y, w):
+            _write_loads(at, count, a, b, c, la, lb, lc)
+            motion[0], motion[1], motion[2] = x, y, w
+            return True, margin_left(contacts, count, rows, speed, a, b, c, la, lb, lc, x, y, w)
+    return False, -1.0
+
+
+@inlined
+def _rate_at_rest(contacts: Floats, count: int, speed: float) -> float:
+    """Least rate at which a gap opens if the object rests, over the hand's speed."""
+    least = 1.0
+    for i in range(count):
+        row = contacts[i]
+        least = min(least, -(row[2] * row[4] + row[3] * row[5]) / speed if speed > 0.0 else 0.0)
+    return least
 
 
 @inlined

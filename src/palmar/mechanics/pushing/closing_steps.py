@@ -15,7 +15,7 @@ Right to the tolerance (finger lengths per stride), but for contacts that came a
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from math import inf, isfinite
+from math import cos, isfinite, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -23,16 +23,16 @@ from numpy.typing import NDArray
 
 from palmar.mechanics.pushing import closing_end
 from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
-from palmar.mechanics.pushing.closing_jam import stall
+from palmar.mechanics.pushing.closing_jam import pinch, stall
+from palmar.mechanics.pushing.closing_kink import first_kink
 from palmar.mechanics.pushing.closing_motion import (
     DEPTH,
-    FENCE,
     FLAGS,
-    KINK,
     LEFT,
     LOGGED,
     MOST_BRANCHES,
     OMEGA,
+    PINCHED,
     RIGHT,
     SEVERAL,
     STATE_WIDTH,
@@ -42,27 +42,19 @@ from palmar.mechanics.pushing.closing_motion import (
     VX,
     VY,
     Bench,
-    Scale,
     X,
     Y,
     bench,
     full_twist,
-    scale_of,
     write_contacts,
 )  # fmt: skip
-from palmar.mechanics.pushing.closing_stride import (
-    FIRST_STRIDE,
-    LONGEST_STRIDE,
-    first_change,
-    first_touch,
-    pose_after,
-    stride,
-)
+from palmar.mechanics.pushing.closing_stride import FIRST_STRIDE, LONGEST_ARC, pose_after, stride, turns_along
+from palmar.mechanics.pushing.closing_touch import first_change, first_touch
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.contact_scan import touching_candidates
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of, place_links
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
-from palmar.mechanics.pushing.polygon_contacts import Body, link_of, side_of, write_contact
+from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of, scale_of, side_of, write_contact
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
@@ -96,7 +88,7 @@ def _look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) -
     s = at.state
     place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
     least, count = touching_candidates(
-        body, at.links, len(hand.links), scale.skin, s[X], s[Y], s[THETA], touch, at.found, at.apart
+        body, at.links, len(hand.links), scale, s[X], s[Y], s[THETA], touch, at.found, at.apart
     )
     changed = False
     for k in range(count):
@@ -106,7 +98,7 @@ def _look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) -
         if finger_of(hand, link_of(at.active[k])) >= 0:
             s[TOUCHED] = 1.0
     if changed:
-        s[SEVERAL], s[FENCE], s[KINK] = 0.0, inf, inf
+        s[SEVERAL] = 0.0
     return least, count
 
 
@@ -133,15 +125,15 @@ def _branch(at: Bench, number: int, branches: int) -> int:
 
 @compiled
 def _settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> None:
-    """Shift the object so that contacts with load have gap zero and the others at least that."""
+    """Shift the object so that contacts of the last mode have gap zero and the others at least that."""
     s, square = at.state, body.reach * body.reach
     place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
     for _ in range(SWEEPS):
         most = 0.0
         for k in range(count):
             row = at.contacts[k]
-            gap = write_contact(body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], s[THETA], row)
-            if abs(gap) > 100.0 * scale.error or (gap > 0.0 and at.loads[k, 0] <= 0.0):
+            gap = write_contact(body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], cos(s[THETA]), sin(s[THETA]), row)
+            if abs(gap) > 100.0 * scale.error or (gap > 0.0 and at.loads[k, 0] == 0.0):
                 continue
             lever = row[0] * row[3] - row[1] * row[2]
             shift = -gap / (1.0 + lever * lever / square)
@@ -150,6 +142,33 @@ def _settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -
             most = max(most, abs(gap))
         if most <= 0.05 * scale.touch:
             return
+
+
+@compiled
+def _cut(
+    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h: float, over: int
+) -> float:  # fmt: skip
+    """Fraction of the stride, whose stages are filled, at which its mode ends or a contact begins or leaves its range."""
+    part = first_kink(hand, body, at, count, scale.skin, h, over) if over < 7 else 1.0
+    part = first_touch(hand, body, at, count, scale, h, part)
+    return first_change(hand, body, at, count, RANGE * scale.touch, h, part) if count > 0 else part
+
+
+@compiled
+def _go_on(at: Bench, h: float, part: float, last: float) -> None:
+    """Take the state to the fraction ``part`` of the stride, and its twist too, as far as that is known."""
+    s, k = at.state, at.stages
+    s[X], s[Y], s[THETA] = pose_after(at, h, part)
+    time = s[TIME] + part * h
+    s[TIME] = last if part == 1.0 and last - time <= 1e-12 else min(time, last)
+    if at.pivot[0] > 0.0:
+        s[VX], s[VY] = -s[OMEGA] * (s[Y] - at.pivot[2]), s[OMEGA] * (s[X] - at.pivot[1])
+    else:
+        s[VX], s[VY], s[OMEGA] = (
+            k[0, 0] + part * (k[6, 0] - k[0, 0]),
+            k[0, 1] + part * (k[6, 1] - k[0, 1]),
+            k[0, 2] + part * (k[6, 2] - k[0, 2]),
+        )
 
 
 @compiled
@@ -167,9 +186,7 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
         speed = write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
         number = full_twist(body, at, count, speed, (s[VX], s[VY], s[OMEGA]))
         if number <= 0:
-            if number < 0:
-                s[FLAGS] = int(s[FLAGS]) | UNSOLVED
-            at.trial[0], at.trial[1], at.trial[2], at.trial[3] = s[X], s[Y], s[THETA], s[TIME]
+            s[FLAGS] = int(s[FLAGS]) | (UNSOLVED if number < 0 else 0)
             stall(hand, body, at, count, scale.skin)
             continue
         if number > 1:
@@ -178,21 +195,25 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
         s[VX], s[VY], s[OMEGA] = motion[0], motion[1], motion[2]
         if len(at.log) > 0:
             note_modes(at, count)
-        left = hand.last - s[TIME]
-        if speed == 0.0:
-            h, proposal = min(left, LONGEST_STRIDE), FIRST_STRIDE
-            at.stages[:] = 0.0
-        else:
-            h, proposal = stride(hand, body, at, count, scale, min(h, left))
-        if h > 0.0:
-            part = first_touch(hand, body, at, count, scale.skin, scale.touch, h)
-            if speed > 0.0:
-                part = first_change(hand, body, at, count, RANGE * scale.touch, h, part)
-            s[X], s[Y], s[THETA] = pose_after(at, h, part)
-            s[TIME] = hand.last if part * h >= left else s[TIME] + part * h
-            if speed > 0.0:
-                _settle(hand, body, at, count, scale)
+        if pinch(hand, body, at, count, scale.skin):
+            _settle(hand, body, at, count, scale)
             _, count = _look(hand, body, at, scale, scale.touch)
+            stall(hand, body, at, count, scale.skin)
+            continue
+        left, at.pivot[0], over = hand.last - s[TIME], 0.0, 7
+        if speed == 0.0:
+            h, proposal = left, FIRST_STRIDE
+            at.stages[:] = 0.0
+        elif turns_along(hand, body, at, count):
+            h, proposal = min(left, LONGEST_ARC), FIRST_STRIDE
+        else:
+            h, proposal, over = stride(hand, body, at, count, scale, min(h, left))
+            s[PINCHED] = 0.0
+        part = _cut(hand, body, at, count, scale, h, over)
+        _go_on(at, h, part, hand.last)
+        if speed > 0.0 and at.pivot[0] == 0.0:
+            _settle(hand, body, at, count, scale)
+        _, count = _look(hand, body, at, scale, scale.touch)
         h = proposal
     return False, branches
 
@@ -206,7 +227,8 @@ def _judge(hand: HandMotion, body: Body, at: Bench, scale: Scale) -> int:
     stalls = (1 if s[RIGHT] != MOVING else 0) + (1 if s[LEFT] != MOVING else 0)
     note(at, ENDS, 0)
     return closing_end.verdict(
-        at.links, len(hand.links), at.contacts, count, s[X], s[Y], body.width, body.reach, s[TOUCHED] > 0.0, stalls
+        at.links, len(hand.links), at.contacts, count, s[X], s[Y], body.width, body.reach, s[TOUCHED] > 0.0, stalls,
+        closing_end.PINCHED_SLACK if s[PINCHED] > 0.0 else closing_end.SLACK,
     )
 
 
@@ -231,11 +253,10 @@ def _carry(
     hand: HandMotion, body: Body, at: Bench, x: float, y: float, theta: float, tolerance: float, most_steps: int
 ) -> End:
     """Follow the motion and its alternatives; the first end that is not caught counts, else the first."""
-    s, scale = at.state, scale_of(hand, body, tolerance)
+    s, scale = at.state, scale_of(hand.links.sum(), body, tolerance)
     s[:] = 0.0
     at.modes[:] = 0
     s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT] = x, y, theta, hand.first, MOVING, MOVING
-    s[FENCE], s[KINK] = inf, inf
     gap, _ = _look(hand, body, at, scale, scale.touch)
     first = hand.first
     if not (isfinite(x) and isfinite(y) and isfinite(theta)) or gap < -2.0 * scale.skin - 1e-9 * body.reach:

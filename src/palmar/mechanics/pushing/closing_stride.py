@@ -1,23 +1,22 @@
-"""One stride of an object that closing links push: Runge and Kutta's method with a sure look-out for new contacts.
+"""One stride of an object that closing links push: Runge and Kutta's method.
 
-The pair of Dormand and Prince, orders 5 and 4, and the fourth-order interpolant between (Shampine). The contacts that
-touch at the begin of the stride stay the same within it; which of them carry load, stick or slide is solved anew at
-every stage. The interpolant is then searched for the first moment at which another candidate's gap has fallen to zero:
-an interval is left only where bounds on the closing speed (links not in touch) or on the change of the closing speed
-(further points of links in touch) rule a contact out, or where it is shorter than ``FINEST``.
+The pair of Dormand and Prince, orders 5 and 4, and the fourth-order interpolant between (Shampine). Within a stride the
+contacts that touch at its begin stay the same, and so does their mode: which of them carry load, stick or slide. So the
+stages are smooth, also past the point where the mode ceases to be admissible or another contact begins; the stride is
+cut there afterwards (``closing_kink``, ``closing_touch``).
+
+An object that turns with a link (an edge flush on it that sticks, say) keeps doing so, with the loads that it has,
+until something else touches it: such a stride is an arc, without an error.
 """
 
 from __future__ import annotations
 
-from math import inf
+from math import cos, hypot, sin
 
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.closing_jam import to_the_jam
 from palmar.mechanics.pushing.closing_motion import (
-    FENCE,
-    KINK,
     LEFT,
     OMEGA,
     RIGHT,
@@ -26,30 +25,21 @@ from palmar.mechanics.pushing.closing_motion import (
     VX,
     VY,
     Bench,
-    Scale,
     X,
     Y,
-    continued_twist,
+    mode_twist,
     write_contacts,
 )  # fmt: skip
 from palmar.mechanics.pushing.compiled import compiled, inlined
-from palmar.mechanics.pushing.contact_scan import further_gaps
-from palmar.mechanics.pushing.hand_pose import HandMotion, place_links
+from palmar.mechanics.pushing.contact_solve import TIGHT
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of
 from palmar.mechanics.pushing.metric import Triple
-from palmar.mechanics.pushing.polygon_contacts import Body, link_of, range_left
+from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of
 
 Floats = NDArray[np.float64]
-FINEST = 1e-3
-"""Intervals (rad) in which a further contact that came and went would go unnoticed."""
-LONGEST_SEARCH = 0.05
-"""A contact's begin is located from a bracket not longer than this (rad)."""
-KINK_FACTOR = 50.0
-"""Factor on the error estimate of a stride within which a contact begins or ends to slide."""
-FIRST_STRIDE, LONGEST_STRIDE, SHORTEST_STRIDE = 0.1, 0.5, 1e-7
-NEAR_KINK = 2e-4
-"""A contact that is to begin or end to slide is approached by halving as near as this (rad)."""
-NEAR_JAM = 3e-4
-"""A jam nearer than this (rad) is located by bisection along the last twist."""
+FIRST_STRIDE, LONGEST_STRIDE, LONGEST_ARC, SHORTEST_STRIDE = 0.1, 0.5, 1.0, 1e-7
+OVER = 1e-7
+"""Margin below zero from which a mode counts as inadmissible: above the slack with which a new mode is found."""
 SHARE = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 STAGES = np.array(
     [
@@ -77,83 +67,110 @@ BETWEEN = np.array(
 
 
 @inlined
-def stages(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: float) -> int:
-    """Fill the stages of a stride h from the state; returns 0, or the stage that has no motion (see ``at.trial``).
+def stages(
+    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: float
+) -> tuple[bool, int]:  # fmt: skip
+    """Fill the stages of a stride h from the state, the first being the state's own twist.
 
-    The first stage is the state's own twist.
+    Returns (whether all have a motion, the first at which the mode is not admissible, or 7).
     """
     s, k = at.state, at.stages
     k[0, 0], k[0, 1], k[0, 2] = s[VX], s[VY], s[OMEGA]
+    over = 7
     for i in range(1, 7):
         x, y, theta = s[X], s[Y], s[THETA]
         for j in range(i):
             weight = h * STAGES[i, j]
             x, y, theta = x + weight * k[j, 0], y + weight * k[j, 1], theta + weight * k[j, 2]
-        time = s[TIME] + SHARE[i] * h
-        speed = write_contacts(hand, body, at, count, skin, time, s[RIGHT], s[LEFT], x, y, theta)
+        speed = write_contacts(hand, body, at, count, skin, s[TIME] + SHARE[i] * h, s[RIGHT], s[LEFT], x, y, theta)
         ahead = SHARE[i] / SHARE[i - 1] if i > 1 else 1.0
         guess = (
             k[0, 0] + ahead * (k[i - 1, 0] - k[0, 0]),
             k[0, 1] + ahead * (k[i - 1, 1] - k[0, 1]),
             k[0, 2] + ahead * (k[i - 1, 2] - k[0, 2]),
         )
-        if continued_twist(body, at, count, speed, guess) <= 0:
-            at.trial[0], at.trial[1], at.trial[2], at.trial[3] = x, y, theta, time
-            return i
+        moves, margin = mode_twist(body, at, count, speed, guess)
+        if not moves:
+            return False, over
+        if margin < -OVER and over == 7:
+            over = i
         motion = at.space.motions[0]
         k[i, 0], k[i, 1], k[i, 2] = motion[0], motion[1], motion[2]
-    return 0
+    return True, over
 
 
 @inlined
 def error_of(at: Bench, count: int, reach: float, touch: float, h: float) -> float:
-    """Error of the stride (m): estimated for position and angle times ``reach``, known for gaps under load."""
+    """Error of the stride (m): estimated for position and angle times ``reach``, known for gaps that the mode closes."""
     k = at.stages
     ex, ey, turn = 0.0, 0.0, 0.0
     for i in range(7):
         ex, ey, turn = ex + ERROR[i] * k[i, 0], ey + ERROR[i] * k[i, 1], turn + ERROR[i] * k[i, 2]
     error = h * max(max(abs(ex), abs(ey)), reach * abs(turn))
     for c in range(count):
-        if at.loads[c, 0] > 0.0:
+        if at.loads[c, 0] != 0.0:
             error = max(error, abs(at.gaps[c]) - touch)
     return error
 
 
 @compiled
-def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h: float) -> tuple[float, float]:
-    """(length of a stride of the error allowed, stages filled; proposal for the next); 0 if it is jammed first."""
-    s = at.state
-    skin, touch, allowed = scale
-    a, b, c = at.edges[0], at.edges[1], at.edges[2]
-    for _ in range(80):
-        at.edges[0], at.edges[1], at.edges[2] = a, b, c
-        if s[FENCE] - s[TIME] < NEAR_JAM and to_the_jam(hand, body, at, count, skin):
-            return 0.0, FIRST_STRIDE
-        h = min(h, 0.6 * (s[FENCE] - s[TIME]))
-        if s[TIME] + NEAR_KINK < s[KINK]:
-            h = min(h, 0.6 * (s[KINK] - s[TIME]))
-        failed = stages(hand, body, at, count, skin, h)
-        if failed > 0:
-            s[FENCE] = at.trial[3]
+def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h: float) -> tuple[float, float, int]:
+    """(length of a stride of the error allowed, stages filled; proposal for the next; ``over`` of ``stages``).
+
+    Where the mode has no motion right after the state, the shortest stride with the state's twist is taken.
+    """
+    while True:
+        moves, over = stages(hand, body, at, count, scale.skin, h)
+        if not moves:
+            if h <= SHORTEST_STRIDE:
+                for i in range(1, 7):
+                    at.stages[i, 0], at.stages[i, 1], at.stages[i, 2] = at.stages[0, 0], at.stages[0, 1], at.stages[0, 2]
+                return SHORTEST_STRIDE, SHORTEST_STRIDE, 7
+            h = max(0.2 * h, SHORTEST_STRIDE)
             continue
-        kinked = at.edges[0] != a or at.edges[1] != b or at.edges[2] != c
-        error = error_of(at, count, body.reach, touch, h) * (KINK_FACTOR if kinked else 1.0)
-        factor = 5.0 if error <= 2e-4 * allowed else 0.9 * (allowed / error) ** 0.2
-        if error <= allowed or h <= SHORTEST_STRIDE:
-            if kinked:
-                s[KINK] = inf
-            return h, min(max(h * factor, SHORTEST_STRIDE), LONGEST_STRIDE)
-        if kinked:
-            s[KINK] = s[TIME] + h
-        h = max(h * max(factor, 0.15), SHORTEST_STRIDE) if not kinked or h < 2.0 * NEAR_KINK else h
-    return h, h
+        error = error_of(at, count, body.reach, scale.touch, h)
+        factor = 5.0 if error <= 2e-4 * scale.error else 0.9 * (scale.error / error) ** 0.2
+        if error <= scale.error or h <= SHORTEST_STRIDE:
+            return h, min(max(h * factor, SHORTEST_STRIDE), LONGEST_STRIDE), over
+        h = max(h * max(factor, 0.15), SHORTEST_STRIDE)
+
+
+@compiled
+def turns_along(hand: HandMotion, body: Body, at: Bench, count: int) -> bool:
+    """Whether all contacts are on one base link that moves and the object turns with it; then notes the pivot."""
+    s, pivot = at.state, at.pivot
+    pivot[0] = 0.0
+    link = link_of(at.active[0])
+    finger = finger_of(hand, link)
+    if finger < 0 or (link - 1) % len(hand.links) > 0 or hand.vx != 0.0 or hand.vy != 0.0:
+        return False
+    if s[RIGHT if finger == 0 else LEFT] != MOVING:
+        return False
+    for k in range(count):
+        if link_of(at.active[k]) != link:
+            return False
+    row = at.links[link]
+    rate = row[4]
+    vx, vy = -rate * (s[Y] - row[1]), rate * (s[X] - row[0])
+    slack = 10.0 * TIGHT * (abs(vx) + abs(vy) + body.reach)
+    if abs(s[VX] - vx) + abs(s[VY] - vy) + body.reach * abs(s[OMEGA] - rate) > slack:
+        return False
+    pivot[0], pivot[1], pivot[2], pivot[3] = 1.0, row[0], row[1], rate
+    for i in range(7):  # no more than bounds of the speed here
+        k = at.stages[i]
+        k[0], k[1], k[2] = 1.5 * hypot(vx, vy), 0.0, rate
+    return True
 
 
 @inlined
 def pose_after(at: Bench, h: float, part: float) -> Triple:
     """Pose at the fraction ``part`` of the stride."""
-    s, k = at.state, at.stages
+    s, k, pivot = at.state, at.stages, at.pivot
     x, y, theta = s[X], s[Y], s[THETA]
+    if pivot[0] > 0.0:
+        angle = pivot[3] * h * part
+        cosine, sine, dx, dy = cos(angle), sin(angle), x - pivot[1], y - pivot[2]
+        return pivot[1] + cosine * dx - sine * dy, pivot[2] + sine * dx + cosine * dy, theta + angle
     for i in range(7):
         if part == 1.0:
             weight = h * (STAGES[6, i] if i < 6 else 0.0)
@@ -164,130 +181,3 @@ def pose_after(at: Bench, h: float, part: float) -> Triple:
     return x, y, theta
 
 
-@inlined
-def gaps_after(
-    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, far: float, h: float, part: float
-) -> tuple[float, float]:
-    """Least gaps at the fraction ``part``: of links not in touch, and of further candidates of those in touch.
-
-    Links that began the stride farther than ``far`` away are left out.
-    """
-    x, y, theta = pose_after(at, h, part)
-    place_links(hand, at.state[TIME] + part * h, at.state[RIGHT], at.state[LEFT], at.links)
-    return further_gaps(
-        body, at.links, len(hand.links), skin, x, y, theta, at.active, count, at.apart, far, at.found
-    )
-
-
-@inlined
-def closing_speed(hand: HandMotion, at: Bench, reach: float) -> float:
-    """Bound (m/rad) on how fast a link and the object approach in the stride whose stages are filled; links placed."""
-    speed, turn = 0.0, 0.0
-    for i in range(7):
-        k = at.stages[i]
-        speed, turn = max(speed, abs(k[0]) + abs(k[1])), max(turn, abs(k[2]))
-    fastest = abs(hand.vx) + abs(hand.vy)
-    for link in range(1, 2 * len(hand.links) + 1):
-        row = at.links[link]
-        length = abs(row[2] - row[0]) + abs(row[3] - row[1]) + row[7]
-        fastest = max(fastest, abs(row[5]) + abs(row[6]) + abs(row[4]) * length)
-    return fastest + 1.1 * (speed + reach * turn)
-
-
-@inlined
-def _gaps_now(at: Bench, pairs: int, count: int) -> tuple[float, float]:
-    """As ``gaps_after`` at the state, where ``at.apart`` is known."""
-    free, near = inf, inf
-    for link in range(2 * pairs + 1):
-        busy = False
-        for k in range(count):
-            busy = busy or link_of(at.active[k]) == link
-        if busy:
-            near = min(near, at.apart[link])
-        else:
-            free = min(free, at.apart[link])
-    return free, near
-
-
-@inlined
-def first_touch(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, touch: float, h: float) -> float:
-    """Fraction of the stride h at which the first new contact touches (gap between 0 and ``touch``); 1 if none does."""
-    speed = closing_speed(hand, at, body.reach)
-    far = speed * h + touch
-    if at.apart[0] < 0.0:
-        free, near = gaps_after(hand, body, at, count, skin, inf, h, 0.0)
-    else:
-        free, near = _gaps_now(at, len(hand.links), count)
-    bend = 0.5 * speed * (1.0 + speed / body.reach * 0.25)
-    level = 0.5 * touch
-    if min(free, near) <= level or min(free, near) > far:
-        return 1.0
-    a, step = 0.0, 1.0
-    while a < 1.0:
-        b = min(a + step, 1.0)
-        next_free, next_near = gaps_after(hand, body, at, count, skin, far, h, b)
-        span = (b - a) * h
-        if min(next_free, next_near) <= level:
-            if span <= LONGEST_SEARCH:
-                return _locate(hand, body, at, count, skin, touch, far, h, a, b, min(free, near), min(next_free, next_near))
-            step = 0.5 * (b - a)
-            continue
-        clear = free + next_free > speed * span and min(near, next_near) > bend * span * span
-        if clear or span <= FINEST:
-            a, free, near = b, next_free, next_near
-            step = 2.0 * step if clear else step
-        else:
-            step = 0.3 * (b - a)
-    return 1.0
-
-
-@inlined
-def first_change(hand: HandMotion, body: Body, at: Bench, count: int, slack: float, h: float, part: float) -> float:
-    """Fraction of the stride, at most ``part``, at which an active contact is out of its range by ``slack``."""
-    low, high = 0.0, part
-    if _least_range(hand, body, at, count, h, part) > -slack:
-        return part
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        least = _least_range(hand, body, at, count, h, middle)
-        if least > -slack:
-            low = middle
-        else:
-            high = middle
-            if least > -3.0 * slack:
-                return high
-    return high
-
-
-@inlined
-def _least_range(hand: HandMotion, body: Body, at: Bench, count: int, h: float, part: float) -> float:
-    x, y, theta = pose_after(at, h, part)
-    place_links(hand, at.state[TIME] + part * h, at.state[RIGHT], at.state[LEFT], at.links)
-    least = inf
-    for k in range(count):
-        least = min(least, range_left(body, at.links, at.active[k], at.sides[k], x, y, theta))
-    return least
-
-
-@compiled
-def _locate(
-    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, touch: float, far: float, h: float,
-    a: float, b: float, at_a: float, at_b: float,
-) -> float:  # fmt: skip
-    """Where in [a, b] the least gap falls to half of ``touch``: false position, halving where that does not shrink."""
-    level, width = 0.5 * touch, inf
-    for k in range(80):
-        part = a + (b - a) * (at_a - level) / (at_a - at_b)
-        if k % 3 == 2 and b - a > 0.25 * width:
-            part = 0.5 * (a + b)
-        if k % 3 == 0:
-            width = b - a
-        free, near = gaps_after(hand, body, at, count, skin, far, h, part)
-        gap = min(free, near)
-        if abs(gap - level) <= 0.4 * touch or b - a <= 1e-15:
-            return part
-        if gap > level:
-            a, at_a = part, gap
-        else:
-            b, at_b = part, gap
-    return b

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.contact_solve import CONTACT_WIDTH, Workspace, workspace
 from palmar.mechanics.pushing.limit_surface import LimitSurface
 from palmar.mechanics.pushing.motion_solve import solve_motion
@@ -73,7 +73,7 @@ def tip_rates(
     return 1.0 - (vx * px + (vy - hand.length) * py) / rho, omega
 
 
-@compiled
+@compiled_to_allocate
 def palm_spin_rate(hand: ClosingHand, surface: LimitSurface, psi: float, space: Workspace, contacts: Floats) -> float:
     """theta' per radian of a finger that keeps the disk on the palm; NaN where they wedge it or cannot hold it there."""
     d, length, h, radius = hand.half_palm, hand.length, hand.half_thickness, hand.radius
@@ -95,7 +95,7 @@ def palm_spin_rate(hand: ClosingHand, surface: LimitSurface, psi: float, space: 
     return space.motions[0, 2]
 
 
-@compiled
+@compiled_to_allocate
 def _fill_tip(hand: ClosingHand, surface: LimitSurface, turn: Floats, spin: Floats, rate: Floats) -> None:
     """Runge-Kutta of fourth order in beta for psi and theta: dpsi = dbeta / beta', dtheta = theta' dbeta / beta'."""
     space, contact = workspace(), np.zeros((1, CONTACT_WIDTH))
@@ -112,7 +112,7 @@ def _fill_tip(hand: ClosingHand, surface: LimitSurface, turn: Floats, spin: Floa
         rate[k] = g
 
 
-@compiled
+@compiled_to_allocate
 def _fill_palm(hand: ClosingHand, surface: LimitSurface, spin: Floats, end: float) -> None:
     """Simpson's rule in psi; where the disk is wedged the spin stays."""
     space, contacts = workspace(), np.zeros((2, CONTACT_WIDTH))

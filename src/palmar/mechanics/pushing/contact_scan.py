@@ -12,27 +12,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing.compiled import compiled, inlined
-from palmar.mechanics.pushing.polygon_contacts import BEGIN, END, MOST_ACTIVE, VERTEX, Body, contact_code, link_of
+from palmar.mechanics.pushing.polygon_contacts import (
+    BEGIN,
+    END,
+    MOST_ACTIVE,
+    VERTEX,
+    Body,
+    Scale,
+    contact_code,
+    kind_of,
+    link_of,
+)
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
-CUT = 1e-6
-"""Depth, in widths of the object, from which a link counts as inside it rather than touching."""
-
 
 @compiled
 def touching_candidates(
-    body: Body, links: Floats, pairs: int, skin: float, x: float, y: float, theta: float,
+    body: Body, links: Floats, pairs: int, scale: Scale, x: float, y: float, theta: float,
     touch: float, found: Integers, apart: Floats,
 ) -> tuple[float, int]:  # fmt: skip
     """(least gap, number of candidates with a gap of at most ``touch``); those are written to ``found``.
 
-    ``apart`` gets, for each link, the least gap of its other candidates. ``pairs`` = links of a finger.
+    ``apart`` gets, for each link, the least gap of its other candidates, or less. ``pairs`` = links of a finger.
     """
     c, s = cos(theta), sin(theta)
     least, touching = inf, 0
     for link in range(2 * pairs + 1):
-        gap, other, touching = _gaps_of(body, links, link, pairs, skin, x, y, c, s, found, 0, touch, found, touching)
+        gap, other, touching = _gaps_of(body, links, link, pairs, scale, x, y, c, s, found, 0, touch, found, touching)
         apart[link] = other
         least = min(least, gap)
     return least, touching
@@ -40,7 +47,7 @@ def touching_candidates(
 
 @inlined
 def further_gaps(
-    body: Body, links: Floats, pairs: int, skin: float, x: float, y: float, theta: float,
+    body: Body, links: Floats, pairs: int, scale: Scale, x: float, y: float, theta: float,
     active: Integers, count: int, apart: Floats, far: float, found: Integers,
 ) -> tuple[float, float]:  # fmt: skip
     """(least gap of links without an active contact, that of inactive candidates of the others).
@@ -55,7 +62,7 @@ def further_gaps(
         busy = False
         for k in range(count):
             busy = busy or link_of(active[k]) == link
-        gap, _, _ = _gaps_of(body, links, link, pairs, skin, x, y, c, s, active, count, -inf, found, 0)
+        gap, _, _ = _gaps_of(body, links, link, pairs, scale, x, y, c, s, active, count, -inf, found, 0)
         if busy:
             near = min(near, gap)
         else:
@@ -65,24 +72,32 @@ def further_gaps(
 
 @inlined
 def _gaps_of(
-    body: Body, links: Floats, link: int, pairs: int, skin: float, x: float, y: float, c: float, s: float,
+    body: Body, links: Floats, link: int, pairs: int, scale: Scale, x: float, y: float, c: float, s: float,
     active: Integers, count: int, touch: float, found: Integers, touching: int,
 ) -> tuple[float, float, int]:  # fmt: skip
-    """(least gap of the link's inactive candidates, that of those above ``touch``, number found so far)."""
+    """(least gap of the link's inactive candidates, that of those above ``touch`` or less, number found so far).
+
+    Of a link in touch, whose contacts drift within a stride, only a deeper cut counts, and vertices are seen to pass it.
+    """
     row = links[link]
     ax, ay, bx, by = row[0] - x, row[1] - y, row[2] - x, row[3] - y
     ax, ay, bx, by = c * ax + s * ay, c * ay - s * ax, c * bx + s * by, c * by - s * bx
-    bound = _beyond(ax, ay, bx, by) - body.reach - row[7] - skin
+    bound = _beyond(ax, ay, bx, by) - body.reach - row[7] - scale.skin
     if bound > body.reach:
         return bound, bound, touching
-    offset = row[7] + body.radius + skin
+    offset = row[7] + body.radius + scale.skin
     skips_begin = link > 0 and ((link - 1) % pairs > 0 or row[7] == 0.0)
+    deep, beyond = scale.cut, 0.0
+    for k in range(count):
+        if link_of(active[k]) == link:
+            deep = scale.deep
+            beyond = 2.0 * deep if kind_of(active[k]) == VERTEX and beyond >= 0.0 else -1.0
     gap, other, touching = _vertices(
-        body, link, ax, ay, bx, by, offset, skips_begin, active, count, touch, found, touching
+        body, link, ax, ay, bx, by, offset, beyond, skips_begin, active, count, touch, found, touching
     )
     if len(body.vertices) > 1:
         gap2, other2, touching = _edges(
-            body, link, ax, ay, bx, by, offset, skips_begin, active, count, touch, found, touching
+            body, link, ax, ay, bx, by, offset, deep, skips_begin, active, count, touch, found, touching
         )
         gap, other = min(gap, gap2), min(other, other2)
     return gap, other, touching
@@ -108,24 +123,31 @@ def _beyond(ax: float, ay: float, bx: float, by: float) -> float:
 
 @inlined
 def _vertices(
-    body: Body, link: int, ax: float, ay: float, bx: float, by: float, offset: float, skips_begin: bool,
+    body: Body, link: int, ax: float, ay: float, bx: float, by: float, offset: float, beyond: float, skips_begin: bool,
     active: Integers, count: int, touch: float, found: Integers, touching: int,
 ) -> tuple[float, float, int]:  # fmt: skip
-    """As ``_gaps_of``, of the vertices to the segment, in the object's frame."""
+    """As ``_gaps_of``, of the vertices to the segment, in the object's frame.
+
+    A vertex past the link, seen from the reference point, by less than ``beyond`` has a negative distance.
+    """
     dx, dy = bx - ax, by - ay
-    scale = 1.0 / (dx * dx + dy * dy)
-    least, other = inf, inf
+    square_inverse = 1.0 / (dx * dx + dy * dy)
+    least, other, skipped = inf, inf, inf
     for i in range(len(body.vertices)):
         px, py = body.vertices[i, 0] - ax, body.vertices[i, 1] - ay
-        t = (px * dx + py * dy) * scale
+        t = (px * dx + py * dy) * square_inverse
         if t <= 0.0 and skips_begin:
+            skipped = min(skipped, px * px + py * py)
             continue
         t = min(max(t, 0.0), 1.0)
         px, py = px - t * dx, py - t * dy
         square, within = px * px + py * py, other + offset
         if square > within * within:
             continue
-        gap, code = sqrt(square) - offset, contact_code(link, VERTEX, i)
+        distance, code = sqrt(square), contact_code(link, VERTEX, i)
+        if distance < beyond and (dx * py - dy * px) * (dy * ax - dx * ay) < 0.0:
+            distance = -distance
+        gap = distance - offset
         if _holds(active, count, code):
             continue
         least = min(least, gap)
@@ -134,17 +156,17 @@ def _vertices(
         elif touching < MOST_ACTIVE:
             found[touching] = code
             touching += 1
-    return least, other, touching
+    return least, min(other, sqrt(skipped) - offset), touching
 
 
 @inlined
 def _edges(
-    body: Body, link: int, ax: float, ay: float, bx: float, by: float, offset: float, skips_begin: bool,
+    body: Body, link: int, ax: float, ay: float, bx: float, by: float, offset: float, deep: float, skips_begin: bool,
     active: Integers, count: int, touch: float, found: Integers, touching: int,
 ) -> tuple[float, float, int]:  # fmt: skip
     """As ``_gaps_of``, of the segment's ends to the edges; minus the width if the segment cuts the inside."""
-    least, other = inf, inf
-    enter, leave, deep = 0.0, 1.0, CUT * body.width
+    least, other, skipped = inf, inf, inf
+    enter, leave = 0.0, 1.0
     for i in range(len(body.vertices)):
         vx, vy = body.vertices[i, 0], body.vertices[i, 1]
         ex, ey, length = body.edges[i, 0], body.edges[i, 1], body.edges[i, 2]
@@ -157,7 +179,10 @@ def _edges(
             leave = min(leave, (da + deep) / (da - db))
         for kind in (BEGIN, END):
             d = da if kind == BEGIN else db
-            if d <= -deep or (kind == BEGIN and skips_begin) or d - offset > other:
+            if kind == BEGIN and skips_begin:
+                skipped = min(skipped, d) if d > 0.0 else skipped
+                continue
+            if d <= -deep or d - offset > other:
                 continue
             px, py = (ax - vx, ay - vy) if kind == BEGIN else (bx - vx, by - vy)
             along = px * ex + py * ey
@@ -172,4 +197,4 @@ def _edges(
                 touching += 1
     if leave > enter:
         least, other = -body.width, -body.width
-    return least, other, touching
+    return least, min(other, skipped - offset), touching

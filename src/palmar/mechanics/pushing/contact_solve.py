@@ -207,6 +207,39 @@ def is_admissible(
 
 
 @inlined
+def margin_left(
+    contacts: Floats, count: int, rows: Floats, speed: float,
+    a: int, b: int, c: int, la: float, lb: float, lc: float, x: float, y: float, w: float,
+) -> float:  # fmt: skip
+    """How far the mode with loads on these edges is from being inadmissible; of order 1, below zero past that point.
+
+    A load l counts as 2 l / (1 + l^2), which changes its sign where the load does: at zero and at a pole, a jam.
+    """
+    margin = _signed(la)
+    if b >= 0:
+        margin = min(margin, _signed(lb))
+    if c >= 0:
+        margin = min(margin, _signed(lc))
+    scale = 1.0 / (speed + abs(x) + abs(y) + abs(w) * _reach(contacts, count))
+    for i in range(count):
+        if a // 2 != i and b // 2 != i and c // 2 != i:
+            dx, dy = x - w * contacts[i, 1] - contacts[i, 4], y + w * contacts[i, 0] - contacts[i, 5]
+            margin = min(margin, scale * (contacts[i, 2] * dx + contacts[i, 3] * dy))
+    for edge in (a, b, c):
+        other = edge + 1 if edge % 2 == 0 else edge - 1
+        if edge >= 0 and other != a and other != b and other != c and contacts[edge // 2, 6] > 0.0:
+            row = rows[edge // 2 * 2 + 1]
+            slip = row[0] * x + row[1] * y + row[2] * w - row[6]
+            margin = min(margin, scale * (-slip if edge % 2 == 0 else slip))
+    return margin
+
+
+@inlined
+def _signed(load: float) -> float:
+    return 2.0 * load / (1.0 + load * load)
+
+
+@inlined
 def _try_edges(
     metric: Metric, contacts: Floats, count: int, motions: Floats, rows: Floats, found: int, speed: float,
     a: int, b: int, c: int,

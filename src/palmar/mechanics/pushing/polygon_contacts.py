@@ -25,6 +25,11 @@ from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, p
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 SKIN = 1e-6
+"""Skin in hand lengths, and never less than ten times the error of a stride, which it has to hide."""
+TOUCH = 2e-8
+"""Gaps up to this part of the finger's length touch."""
+CUT = 1e-6
+"""Depth, in widths of the object, from which a link is inside it."""
 VERTEX, BEGIN, END = 0, 1, 2
 MOST_ACTIVE = 12
 
@@ -63,10 +68,37 @@ def polygon_body(vertices: ArrayLike, friction: float, surface: LimitSurface | N
     return Body(corners, edges, 0.0, reach, width, float(friction), surface or polygon_surface(corners))
 
 
+class Scale(NamedTuple):
+    """Lengths (m): skin of line links against polygons, gap that touches, error allowed per stride, depths of a cut.
+
+    A link deeper than ``cut`` in a polygon counts as inside it rather than touching; ``deep`` if it touches already.
+    """
+
+    skin: float
+    touch: float
+    error: float
+    cut: float
+    deep: float
+
+
+@compiled
+def scale_of(length: float, body: Body, tolerance: float) -> Scale:
+    """The kernel's small lengths for fingers of ``length`` (m)."""
+    cut, error = CUT * body.width, tolerance * length
+    skin = max(SKIN * length, 10.0 * error) if body.radius == 0.0 else 0.0
+    return Scale(skin, TOUCH * length, error, cut, cut + 4.0 * error)
+
+
 @inlined
 def contact_code(link: int, kind: int, index: int) -> int:
     """One integer for a candidate: the link's row, vertex or end of the link, number of the vertex or edge."""
     return (link * 3 + kind) * 16384 + index
+
+
+@inlined
+def kind_of(code: int) -> int:
+    """VERTEX, BEGIN or END."""
+    return code // 16384 % 3
 
 
 @inlined
@@ -92,12 +124,12 @@ def side_of(body: Body, links: Floats, code: int, x: float, y: float, theta: flo
 
 
 @inlined
-def range_left(body: Body, links: Floats, code: int, side: float, x: float, y: float, theta: float) -> float:
+def range_left(body: Body, links: Floats, code: int, side: float, x: float, y: float, c: float, s: float) -> float:
     """Length (m) left before the contact changes its kind: a vertex between the ends reaches one (``side`` not 0) or,
     at an end, goes back between them; the end of a link leaves the edge it touches.
     """
     link, kind, index = code // 16384 // 3, code // 16384 % 3, code % 16384
-    segment, c, s = links[link], cos(theta), sin(theta)
+    segment = links[link]
     vx, vy = body.vertices[index, 0], body.vertices[index, 1]
     px, py = x + c * vx - s * vy, y + s * vx + c * vy
     if kind == VERTEX:
@@ -114,15 +146,14 @@ def range_left(body: Body, links: Floats, code: int, side: float, x: float, y: f
 
 @inlined
 def write_contact(
-    body: Body, links: Floats, skin: float, code: int, side: float, x: float, y: float, theta: float, row: Floats
+    body: Body, links: Floats, skin: float, code: int, side: float, x: float, y: float, c: float, s: float, row: Floats
 ) -> float:
-    """Write the contact's row for ``contact_solve`` and return its gap.
+    """Write the contact's row for ``contact_solve`` and return its gap; c, s are the cosine and sine of the angle.
 
     Beyond its range (see ``range_left``) a contact of a vertex on a given ``side``, or of an edge, is extended.
     """
     link, kind, index = code // 16384 // 3, code // 16384 % 3, code % 16384
     segment = links[link]
-    c, s = cos(theta), sin(theta)
     vx, vy = body.vertices[index, 0], body.vertices[index, 1]
     px, py = x + c * vx - s * vy, y + s * vx + c * vy
     if kind == VERTEX:
