@@ -15,6 +15,8 @@ from palmar.mechanics.pushing.polygon_contacts import Body
 
 PASSES = 60
 CLOSEST = 1e-14
+PAST = 1e-8
+"""Every such cut takes the object at least so far (rad), so that no two modes can hold it up."""
 
 
 @compiled
@@ -46,7 +48,7 @@ def first_kink(hand: HandMotion, body: Body, at: Bench, count: int, skin: float,
     level, weight_a, weight_b, last = -2.0 * OVER, 1.0, 1.0, 0
     for k in range(PASSES):
         if at_b >= 2.0 * level or b - a <= CLOSEST:
-            return b
+            return min(max(b, PAST / h), 1.0)
         above, below = weight_a * (at_a - level), weight_b * (level - at_b)
         part = a + (b - a) * (0.5 if k % 4 == 3 else above / (above + below))
         here = _margin(hand, body, at, count, skin, h, part)
@@ -56,4 +58,4 @@ def first_kink(hand: HandMotion, body: Body, at: Bench, count: int, skin: float,
         else:
             b, at_b, weight_b, weight_a = part, here, 1.0, 0.5 * weight_a if last == -1 else 1.0
         last = side
-    return b
+    return min(max(b, PAST / h), 1.0)

@@ -15,13 +15,14 @@ Right to the tolerance (finger lengths per stride), but for contacts that came a
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from math import cos, isfinite, sin
+from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing import closing_end
+from palmar.mechanics.pushing.closing_contacts import look, settle
 from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
 from palmar.mechanics.pushing.closing_jam import pinch, stall
 from palmar.mechanics.pushing.closing_kink import first_kink
@@ -51,19 +52,18 @@ from palmar.mechanics.pushing.closing_motion import (
 from palmar.mechanics.pushing.closing_stride import FIRST_STRIDE, LONGEST_ARC, pose_after, stride, turns_along
 from palmar.mechanics.pushing.closing_touch import first_change, first_touch
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
-from palmar.mechanics.pushing.contact_scan import touching_candidates
-from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of, place_links
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
-from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of, scale_of, side_of, write_contact
+from palmar.mechanics.pushing.polygon_contacts import Body, Scale, scale_of
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
 INVALID, UNDECIDED = Outcome.INVALID.code, Outcome.UNDECIDED.code
-TOLERANCE = 1e-7
+TOLERANCE, BATCH_TOLERANCE = 1e-7, 1e-6
+"""Error allowed per stride, in finger lengths: for one start; for many, of which the outcomes are asked."""
 MOST_STEPS = 4000
 DEEPEST = 3
 ROWS_PER_TASK = 64
-SWEEPS = 40
 RANGE = 0.01
 """Part of ``TOUCH`` by which a contact is past its range when that is noticed."""
 AMBIGUOUS, CUT_SHORT, UNSOLVED = 1, 2, 4
@@ -80,26 +80,6 @@ class End(NamedTuple):
     right: float
     left: float
     flags: int
-
-
-@compiled
-def _look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) -> tuple[float, int]:
-    """Make the contacts that touch at the state the active ones; returns (least gap, their number)."""
-    s = at.state
-    place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
-    least, count = touching_candidates(
-        body, at.links, len(hand.links), scale, s[X], s[Y], s[THETA], touch, at.found, at.apart
-    )
-    changed = False
-    for k in range(count):
-        changed = changed or at.active[k] != at.found[k]
-        at.active[k] = at.found[k]
-        at.sides[k] = side_of(body, at.links, at.active[k], s[X], s[Y], s[THETA])
-        if finger_of(hand, link_of(at.active[k])) >= 0:
-            s[TOUCHED] = 1.0
-    if changed:
-        s[SEVERAL] = 0.0
-    return least, count
 
 
 @compiled
@@ -121,27 +101,6 @@ def _branch(at: Bench, number: int, branches: int) -> int:
         row[DEPTH] += 1.0
         branches += 1
     return branches
-
-
-@compiled
-def _settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> None:
-    """Shift the object so that contacts of the last mode have gap zero and the others at least that."""
-    s, square = at.state, body.reach * body.reach
-    place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
-    for _ in range(SWEEPS):
-        most = 0.0
-        for k in range(count):
-            row = at.contacts[k]
-            gap = write_contact(body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], cos(s[THETA]), sin(s[THETA]), row)
-            if abs(gap) > 100.0 * scale.error or (gap > 0.0 and at.loads[k, 0] == 0.0):
-                continue
-            lever = row[0] * row[3] - row[1] * row[2]
-            shift = -gap / (1.0 + lever * lever / square)
-            s[X], s[Y] = s[X] + shift * row[2], s[Y] + shift * row[3]
-            s[THETA] += shift * lever / square
-            most = max(most, abs(gap))
-        if most <= 0.05 * scale.touch:
-            return
 
 
 @compiled
@@ -175,11 +134,11 @@ def _go_on(at: Bench, h: float, part: float, last: float) -> None:
 def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: int, branches: int) -> tuple[bool, int]:
     """Carry the state to its end; returns (whether that was reached, number of alternatives that wait)."""
     s, h = at.state, FIRST_STRIDE
-    _, count = _look(hand, body, at, scale, scale.touch)
+    _, count = look(hand, body, at, scale, scale.touch)
     at.loads[:] = 0.0
     if count > 0:
-        _settle(hand, body, at, count, scale)
-        _, count = _look(hand, body, at, scale, scale.touch)
+        settle(hand, body, at, count, scale)
+        _, count = look(hand, body, at, scale, scale.touch)
     for _ in range(most_steps):
         if s[TIME] >= hand.last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
             return True, branches
@@ -196,8 +155,8 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
         if len(at.log) > 0:
             note_modes(at, count)
         if pinch(hand, body, at, count, scale.skin):
-            _settle(hand, body, at, count, scale)
-            _, count = _look(hand, body, at, scale, scale.touch)
+            settle(hand, body, at, count, scale)
+            _, count = look(hand, body, at, scale, scale.touch)
             stall(hand, body, at, count, scale.skin)
             continue
         left, at.pivot[0], over = hand.last - s[TIME], 0.0, 7
@@ -212,8 +171,8 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
         part = _cut(hand, body, at, count, scale, h, over)
         _go_on(at, h, part, hand.last)
         if speed > 0.0 and at.pivot[0] == 0.0:
-            _settle(hand, body, at, count, scale)
-        _, count = _look(hand, body, at, scale, scale.touch)
+            settle(hand, body, at, count, scale)
+        _, count = look(hand, body, at, scale, scale.touch)
         h = proposal
     return False, branches
 
@@ -222,12 +181,21 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
 def _judge(hand: HandMotion, body: Body, at: Bench, scale: Scale) -> int:
     """The outcome at the state."""
     s = at.state
-    _, count = _look(hand, body, at, scale, 50.0 * scale.touch)
+    _, count = look(hand, body, at, scale, 50.0 * scale.touch)
     write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
     stalls = (1 if s[RIGHT] != MOVING else 0) + (1 if s[LEFT] != MOVING else 0)
     note(at, ENDS, 0)
     return closing_end.verdict(
-        at.links, len(hand.links), at.contacts, count, s[X], s[Y], body.width, body.reach, s[TOUCHED] > 0.0, stalls,
+        at.links,
+        len(hand.links),
+        at.contacts,
+        count,
+        s[X],
+        s[Y],
+        body.width,
+        body.reach,
+        s[TOUCHED] > 0.0,
+        stalls,
         closing_end.PINCHED_SLACK if s[PINCHED] > 0.0 else closing_end.SLACK,
     )
 
@@ -257,7 +225,7 @@ def _carry(
     s[:] = 0.0
     at.modes[:] = 0
     s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT] = x, y, theta, hand.first, MOVING, MOVING
-    gap, _ = _look(hand, body, at, scale, scale.touch)
+    gap, _ = look(hand, body, at, scale, scale.touch)
     first = hand.first
     if not (isfinite(x) and isfinite(y) and isfinite(theta)) or gap < -2.0 * scale.skin - 1e-9 * body.reach:
         return End(INVALID, x, y, theta, first, first, 0)

@@ -124,7 +124,11 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
         if not moves:
             if h <= SHORTEST_STRIDE:
                 for i in range(1, 7):
-                    at.stages[i, 0], at.stages[i, 1], at.stages[i, 2] = at.stages[0, 0], at.stages[0, 1], at.stages[0, 2]
+                    at.stages[i, 0], at.stages[i, 1], at.stages[i, 2] = (
+                        at.stages[0, 0],
+                        at.stages[0, 1],
+                        at.stages[0, 2],
+                    )
                 return SHORTEST_STRIDE, SHORTEST_STRIDE, 7
             h = max(0.2 * h, SHORTEST_STRIDE)
             continue
@@ -179,5 +183,3 @@ def pose_after(at: Bench, h: float, part: float) -> Triple:
             weight = h * part * (row[0] + part * (row[1] + part * (row[2] + part * row[3])))
         x, y, theta = x + weight * k[i, 0], y + weight * k[i, 1], theta + weight * k[i, 2]
     return x, y, theta
-
-

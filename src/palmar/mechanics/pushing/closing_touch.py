@@ -28,13 +28,11 @@ def gaps_after(
 ) -> tuple[float, float]:
     """Least gaps at the fraction ``part``: of links not in touch, and of further candidates of those in touch.
 
-    Links that began the stride farther than ``far`` away are left out.
+    Links not in touch that began the stride farther than ``far`` away are left out.
     """
     x, y, theta = pose_after(at, h, part)
     place_links(hand, at.state[TIME] + part * h, at.state[RIGHT], at.state[LEFT], at.links)
-    return further_gaps(
-        body, at.links, len(hand.links), scale, x, y, theta, at.active, count, at.apart, far, at.found
-    )
+    return further_gaps(body, at.links, len(hand.links), scale, x, y, theta, at.active, count, at.apart, far, at.found)
 
 
 @inlined
@@ -77,7 +75,7 @@ def first_touch(
     free, near = _gaps_now(at, len(hand.links), count)
     bend = 0.5 * speed * (1.0 + speed / body.reach * 0.25)
     level = 0.5 * scale.touch
-    if min(free, near) > far:
+    if count == 0 and free > far:
         return part
     if min(free, near) <= level:
         free, near = gaps_after(hand, body, at, count, scale, inf, h, 0.0)
@@ -145,7 +143,7 @@ def _locate(
     level, width = 0.5 * scale.touch, inf
     for k in range(80):
         part = a + (b - a) * (at_a - level) / (at_a - at_b)
-        if k % 3 == 2 and b - a > 0.25 * width:
+        if at_a == inf or (k % 3 == 2 and b - a > 0.25 * width):
             part = 0.5 * (a + b)
         if k % 3 == 0:
             width = b - a

@@ -37,8 +37,11 @@ def compiled_to_allocate(function: Callable[Arguments, Result]) -> Callable[Argu
 
 
 def _kernel(function: Callable[Arguments, Result], **options: bool) -> Callable[Arguments, Result]:
-    kernel = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, **options)(function)
-    return cast(Callable[Arguments, Result], kernel)
+    njit: Any = numba.njit
+    return cast(
+        Callable[Arguments, Result],
+        njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, **options)(function),
+    )
 
 
 def _sources(folder: Traversable) -> list[bytes]:

@@ -27,6 +27,7 @@ from palmar.mechanics.pushing.polygon_contacts import (
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
+
 @compiled
 def touching_candidates(
     body: Body, links: Floats, pairs: int, scale: Scale, x: float, y: float, theta: float,
@@ -52,16 +53,17 @@ def further_gaps(
 ) -> tuple[float, float]:  # fmt: skip
     """(least gap of links without an active contact, that of inactive candidates of the others).
 
-    Links of which ``apart`` says that they are farther off than ``far`` are left out; ``found`` is for scratch.
+    Links without an active contact are left out if ``apart`` says that they are farther off than ``far``; where there is
+    one, a further candidate may begin right beside it. ``found`` is for scratch.
     """
     c, s = cos(theta), sin(theta)
     free, near = inf, inf
     for link in range(2 * pairs + 1):
-        if apart[link] > far:
-            continue
         busy = False
         for k in range(count):
             busy = busy or link_of(active[k]) == link
+        if apart[link] > far and not busy:
+            continue
         gap, _, _ = _gaps_of(body, links, link, pairs, scale, x, y, c, s, active, count, -inf, found, 0)
         if busy:
             near = min(near, gap)
@@ -92,8 +94,13 @@ def _gaps_of(
         if link_of(active[k]) == link:
             deep = scale.deep
             beyond = 2.0 * deep if kind_of(active[k]) == VERTEX and beyond >= 0.0 else -1.0
+    fx, fy = 0.0, 0.0
+    if link > 0 and link % pairs > 0:
+        follow = links[link + 1]
+        gx, gy = follow[2] - follow[0], follow[3] - follow[1]
+        fx, fy = c * gx + s * gy, c * gy - s * gx
     gap, other, touching = _vertices(
-        body, link, ax, ay, bx, by, offset, beyond, skips_begin, active, count, touch, found, touching
+        body, link, ax, ay, bx, by, offset, beyond, skips_begin, fx, fy, active, count, touch, found, touching
     )
     if len(body.vertices) > 1:
         gap2, other2, touching = _edges(
@@ -124,10 +131,12 @@ def _beyond(ax: float, ay: float, bx: float, by: float) -> float:
 @inlined
 def _vertices(
     body: Body, link: int, ax: float, ay: float, bx: float, by: float, offset: float, beyond: float, skips_begin: bool,
+    fx: float, fy: float,
     active: Integers, count: int, touch: float, found: Integers, touching: int,
 ) -> tuple[float, float, int]:  # fmt: skip
     """As ``_gaps_of``, of the vertices to the segment, in the object's frame.
 
+    (fx, fy) leads along the link that follows, if any: a vertex beyond the end but beside that one is left to it.
     A vertex past the link, seen from the reference point, by less than ``beyond`` has a negative distance.
     """
     dx, dy = bx - ax, by - ay
@@ -136,7 +145,8 @@ def _vertices(
     for i in range(len(body.vertices)):
         px, py = body.vertices[i, 0] - ax, body.vertices[i, 1] - ay
         t = (px * dx + py * dy) * square_inverse
-        if t <= 0.0 and skips_begin:
+        if (t <= 0.0 and skips_begin) or (t >= 1.0 and (px - dx) * fx + (py - dy) * fy > 0.0):
+            px, py = (px, py) if t <= 0.0 else (px - dx, py - dy)
             skipped = min(skipped, px * px + py * py)
             continue
         t = min(max(t, 0.0), 1.0)

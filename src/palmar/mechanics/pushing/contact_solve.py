@@ -127,8 +127,7 @@ def _entry(rows: Floats, constraint: int, contact: int, lean: float) -> float:
 
 @inlined
 def _lean(contacts: Floats, edge: int) -> float:
-    friction: float = contacts[edge // 2, 6]
-    return friction if edge % 2 == 0 else -friction
+    return contacts[edge // 2, 6] if edge % 2 == 0 else -contacts[edge // 2, 6]
 
 
 @inlined

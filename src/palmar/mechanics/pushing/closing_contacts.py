@@ -1,0 +1,56 @@
+"""The contacts that touch at the state of a closing motion: looked for anew, and freed from the drift of a stride."""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, SEVERAL, THETA, TIME, TOUCHED, Bench, X, Y
+from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.contact_scan import touching_candidates
+from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of, place_links
+from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of, side_of, write_contact
+
+SWEEPS = 40
+
+
+@compiled
+def look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) -> tuple[float, int]:
+    """Make the contacts that touch at the state the active ones; returns (least gap, their number)."""
+    s = at.state
+    place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
+    least, count = touching_candidates(
+        body, at.links, len(hand.links), scale, s[X], s[Y], s[THETA], touch, at.found, at.apart
+    )
+    changed = False
+    for k in range(count):
+        changed = changed or at.active[k] != at.found[k]
+        at.active[k] = at.found[k]
+        at.sides[k] = side_of(body, at.links, at.active[k], s[X], s[Y], s[THETA])
+        if finger_of(hand, link_of(at.active[k])) >= 0:
+            s[TOUCHED] = 1.0
+    if changed:
+        s[SEVERAL] = 0.0
+    return least, count
+
+
+@compiled
+def settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> None:
+    """Shift the object so that contacts of the last mode have gap zero and the others at least that."""
+    s, square = at.state, body.reach * body.reach
+    place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
+    for _ in range(SWEEPS):
+        most = 0.0
+        for k in range(count):
+            row = at.contacts[k]
+            gap = write_contact(
+                body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], cos(s[THETA]), sin(s[THETA]), row
+            )
+            if abs(gap) > 100.0 * scale.error or (gap > 0.0 and at.loads[k, 0] == 0.0):
+                continue
+            lever = row[0] * row[3] - row[1] * row[2]
+            shift = -gap / (1.0 + lever * lever / square)
+            s[X], s[Y] = s[X] + shift * row[2], s[Y] + shift * row[3]
+            s[THETA] += shift * lever / square
+            most = max(most, abs(gap))
+        if most <= 0.05 * scale.touch:
+            return
