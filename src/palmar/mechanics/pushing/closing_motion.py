@@ -48,10 +48,10 @@ alternatives taken, whether those here are noted, flags, number of events, wheth
 class Bench(NamedTuple):
     """Everything that a start's way through the motion writes to: one per start, no allocation after it.
 
-    ``apart`` is each link's least gap but for its active contacts at the state, or less.
-    ``loads`` (per active contact: normal and tangential) and ``edges`` belong to the last motion found; ``modes`` is one
-    for each link; ``stages`` are the twists of one step; ``pivot`` (on, x, y, rate) is what the object turns about where it turns with a
-    link; ``branches`` are the alternatives still to be followed; ``log`` the events.
+    ``apart`` is each link's least gap but for its active contacts at the state, or less. ``loads`` (per active contact:
+    normal and tangential) and ``edges`` belong to the last motion found; ``modes`` is one for each link; ``stages`` are
+    the twists of one step; ``pivot`` (on, x, y, rate) is what the object turns about where it turns with a link;
+    ``branches`` are the alternatives still to be followed; ``log`` the events.
     """
 
     links: Floats

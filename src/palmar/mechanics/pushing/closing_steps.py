@@ -131,6 +131,21 @@ def _go_on(at: Bench, h: float, part: float, last: float) -> None:
 
 
 @compiled
+def _ahead(
+    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, speed: float, h: float
+) -> tuple[float, float, int]:
+    """The stride to take from the state, h the last proposal: as ``stride``; at rest up to the motion's end, or an arc."""
+    left, at.pivot[0] = hand.last - at.state[TIME], 0.0
+    if speed == 0.0:
+        at.stages[:] = 0.0
+        return left, FIRST_STRIDE, 7
+    if turns_along(hand, body, at, count):
+        return min(left, LONGEST_ARC), FIRST_STRIDE, 7
+    at.state[PINCHED] = 0.0
+    return stride(hand, body, at, count, scale, min(h, left))
+
+
+@compiled
 def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: int, branches: int) -> tuple[bool, int]:
     """Carry the state to its end; returns (whether that was reached, number of alternatives that wait)."""
     s, h = at.state, FIRST_STRIDE
@@ -159,15 +174,7 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
             _, count = look(hand, body, at, scale, scale.touch)
             stall(hand, body, at, count, scale.skin)
             continue
-        left, at.pivot[0], over = hand.last - s[TIME], 0.0, 7
-        if speed == 0.0:
-            h, proposal = left, FIRST_STRIDE
-            at.stages[:] = 0.0
-        elif turns_along(hand, body, at, count):
-            h, proposal = min(left, LONGEST_ARC), FIRST_STRIDE
-        else:
-            h, proposal, over = stride(hand, body, at, count, scale, min(h, left))
-            s[PINCHED] = 0.0
+        h, proposal, over = _ahead(hand, body, at, count, scale, speed, h)
         part = _cut(hand, body, at, count, scale, h, over)
         _go_on(at, h, part, hand.last)
         if speed > 0.0 and at.pivot[0] == 0.0:

@@ -26,6 +26,8 @@ from palmar.mechanics.pushing.polygon_contacts import (
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+BESIDE = 1e-10
+"""Part of the next link from which a vertex beyond a link's end is beside that one: no vertex falls between the two."""
 
 
 @compiled
@@ -145,7 +147,7 @@ def _vertices(
     for i in range(len(body.vertices)):
         px, py = body.vertices[i, 0] - ax, body.vertices[i, 1] - ay
         t = (px * dx + py * dy) * square_inverse
-        if (t <= 0.0 and skips_begin) or (t >= 1.0 and (px - dx) * fx + (py - dy) * fy > 0.0):
+        if (t <= 0.0 and skips_begin) or (t >= 1.0 and (px - dx) * fx + (py - dy) * fy > BESIDE * (fx * fx + fy * fy)):
             px, py = (px, py) if t <= 0.0 else (px - dx, py - dy)
             skipped = min(skipped, px * px + py * py)
             continue
