@@ -27,7 +27,8 @@ mujoco = pytest.importorskip("mujoco", reason="needs the extra palmar[mujoco]")
 
 HALF_PALM, LENGTH, RADIUS, THIN, FLOOR = 0.06, 0.244, 0.038, 0.0005, 0.4
 RATE = radians(20.0)
-STEP = 0.002
+STEP = 0.004
+"""Largest that still answers as shorter ones do (1, 2, 4 ms tried)."""
 STARTS = 96
 MOTION = hand_motion(HALF_PALM, [LENGTH], THIN)
 
