@@ -9,7 +9,8 @@ stalls, else both do. A finger that has stalled stays where it is, a rigid wall;
 Where Coulomb's law admits several motions, the one nearest to the last is followed and the others after it, up to
 ``DEEPEST`` such choices in a row; the worst end counts, and the start is flagged.
 
-Right to the tolerance (finger lengths per stride), but for contacts that came and went within ``closing_stride.FINEST``.
+Right to the tolerance (finger lengths per stride), but for contacts that came and went within ``closing_touch.FINEST``, and
+for the end pose of a polygon that escapes off the very tip of a line finger: the mechanics is discontinuous there.
 """
 
 from __future__ import annotations

@@ -81,7 +81,8 @@ def _gaps_of(
 ) -> tuple[float, float, int]:  # fmt: skip
     """(least gap of the link's inactive candidates, that of those above ``touch`` or less, number found so far).
 
-    Of a link in touch, whose contacts drift within a stride, only a deeper cut counts, and vertices are seen to pass it.
+    Of a link in touch, whose contacts drift within a stride, only a deeper cut counts, and vertices are seen to pass it;
+    so too where contacts are looked for anew, after a shift that may have taken the object a little into the palm.
     """
     row = links[link]
     ax, ay, bx, by = row[0] - x, row[1] - y, row[2] - x, row[3] - y
@@ -92,6 +93,8 @@ def _gaps_of(
     offset = row[7] + body.radius + scale.skin
     skips_begin = link > 0 and ((link - 1) % pairs > 0 or row[7] == 0.0)
     deep, beyond = scale.cut, 0.0
+    if touch > 0.0:
+        deep, beyond = scale.deep, (2.0 * scale.deep if link == 0 else 0.0)
     for k in range(count):
         if link_of(active[k]) == link:
             deep = scale.deep
