@@ -83,6 +83,7 @@ def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any
         **{name: coordinates(view(each)) for name, each in sets.items()},
         "area_m2": region.area,
         "allowed_error": _circle(region.allowed_error, from_object),
+        **({} if region.outer is None else {"outer": coordinates(view(region.outer)), "band_m2": region.band}),
         "flattening_m": region.flattening,
         "reason": region.reason,
         "notes": list(region.notes),

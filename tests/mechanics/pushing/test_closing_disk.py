@@ -178,8 +178,22 @@ def test_odd_starts():
     assert found[4].caught
 
 
-def test_thick_fingers_need_the_stepping_kernel_once_there_is_friction():
-    with pytest.raises(ValueError, match="stepping"):
-        close_disk(example(0.4)._replace(half_thickness=0.1), SURFACE, [(0.0, 1.0)])
-    thick = ClosingHand(1.0, 2.0, 0.1, 0.5, 0.0, 0.0, pi - sin(0.05))
-    assert outcomes(thick, [(0.5, 1.0)])[0] == [Outcome.STRUCTURAL]
+def test_thick_fingers_drag_the_disk_inwards():
+    thick = ClosingHand(1.0, 2.0, 0.1, 0.5, 0.4, 0.0, pi - sin(0.05))
+    plain, rough = (outcomes(thick._replace(friction=mu, last=1.2), [(2.0, 0.8)])[1].poses[0] for mu in (0.0, 0.4))
+    assert rough[0] < plain[0] - 1e-3
+    assert plain[2] == 0.0 and rough[2] < -1e-2
+    assert outcomes(thick._replace(friction=0.0), [(0.5, 1.0)])[0] == [Outcome.STRUCTURAL]
+
+
+def test_more_friction_catches_every_start_that_less_catches():
+    rng = np.random.default_rng(5)
+    for _ in range(25):
+        d, radius, h = rng.uniform(0.15, 1.6), rng.uniform(0.03, 1.0), rng.choice([0.0, rng.uniform(0.0, 0.2)])
+        hand = ClosingHand(d, 1.0, h, radius * min(d, 1.2), 0.0, rng.choice([0.0, 0.7]), pi - np.arcsin(h))
+        starts = random_starts(hand, 2000, int(rng.integers(1000)))
+        before = np.zeros(len(starts), bool)
+        for friction in np.sort(rng.uniform(0.0, 1.2, 4)):
+            now = close_disk(hand._replace(friction=friction), disk_surface(hand.radius), starts).codes <= 2
+            assert not (before & ~now).any()
+            before = now

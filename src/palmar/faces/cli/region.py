@@ -13,7 +13,7 @@ from palmar.faces.cli.texts import region_text, titled
 from palmar.faces.records import region_record
 from palmar.models.closure import Closure
 from palmar.models.shipped import open_case
-from palmar.regions.build import published_region
+from palmar.regions.build import build_region
 from palmar.regions.region import Model
 
 app = App(name="region")
@@ -30,7 +30,7 @@ class Seen(Enum):
 def region(
     case: CaseName,
     *,
-    model: Annotated[Model, Parameter(help="How the region is obtained.")] = Model.PUBLISHED,
+    model: Annotated[Model, Parameter(help="How the region is obtained.")] = Model.EXACT,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
@@ -45,8 +45,7 @@ def region(
 
         known_ending(out)
     name, given = open_case(case)
-    result = published_region(given, closure)
-    assert result.model is model
+    result = build_region(given, model, closure)
     from_object = seen_from is Seen.OBJECT
     if out is not None:
         from palmar.faces.exports.region_file import write_region

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from palmar.geometry.polygon import area_centroid
 from palmar.mechanics.pushing.closing import Ends
+from palmar.mechanics.pushing.closing_case import pressure_surface
 from palmar.mechanics.pushing.closing_events import ENDS, LEAVES, STALLS, STICKS, TOUCHES
 from palmar.mechanics.pushing.closing_steps import carry, carry_all
 from palmar.mechanics.pushing.hand_pose import HandMotion, hand_motion
@@ -20,7 +21,6 @@ from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.support import Pressure
 from palmar.worlds.planar.events import Event
-from palmar.worlds.planar.table import pressure_surface
 
 Floats = NDArray[np.float64]
 MOST_EVENTS = 400
