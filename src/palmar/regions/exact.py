@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from math import isnan
 
+from shapely import MultiPolygon
+
 from palmar.errors import NotCoveredError
-from palmar.geometry.planar_set import EMPTY
+from palmar.geometry.planar_set import EMPTY, grown
 from palmar.mechanics.closure.disk_2_2 import Radii, frictional_radii, structural_radii
 from palmar.mechanics.pushing.closing_case import closing_hand, pressure_surface
 from palmar.mechanics.pushing.closing_tables import build_tables
@@ -17,6 +19,7 @@ from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
 from palmar.regions.closing_exact import ExactSets, exact_sets
 from palmar.regions.region import Model, Region
+from palmar.regions.robust import robust_sets
 
 FLATTENING = 1e-5
 """Default flattening error of curves, as a share of the finger's length."""
@@ -38,10 +41,10 @@ def exact_region(case: Case, closure: Closure = Closure.FRICTIONAL, tolerance: f
         raise NotCoveredError('object.shape = "polygon": the exact region is for disks')
     if lowest.support.pressure_centre != (0.0, 0.0):
         raise NotCoveredError("support.pressure_centre_mm: the exact region needs the pressure centred under the disk")
+    tolerance = tolerance or FLATTENING * lowest.hand.finger_length
     if lowest.ranges:
-        places = ", ".join(".".join(map(str, each.place)) for each in lowest.ranges)
-        raise NotCoveredError(f"{places}: the exact region takes ranges of friction alone")
-    sets = disk_sets(lowest, tolerance or FLATTENING * lowest.hand.finger_length)
+        return _over_ranges(case, lowest, closure, tolerance)
+    sets = disk_sets(lowest, tolerance)
     return Region(
         model=Model.EXACT,
         closure=closure,
@@ -52,6 +55,37 @@ def exact_region(case: Case, closure: Closure = Closure.FRICTIONAL, tolerance: f
         flattening=sets.flattening,
         reason=empty_reason(lowest, closure) if sets.centre.is_empty else None,
         notes=_notes(case),
+        outer=sets.outer,
+    )
+
+
+def _over_ranges(case: Case, lowest: Case, closure: Closure, tolerance: float) -> Region:
+    """What is caught for all values of numbers given as ranges."""
+
+    def sides(each: Case) -> tuple[MultiPolygon, MultiPolygon]:
+        sets = disk_sets(each, tolerance)
+        return sets.centre, sets.outer
+
+    sets = robust_sets(lowest, sides)
+    reason = None
+    if sets.centre.is_empty:
+        empty = next((each for each in lowest.corners() if disk_sets(each, tolerance).centre.is_empty), None)
+        reason = "no start is caught for all values of the numbers given as ranges"
+        reason = f"for some of the values given as ranges, {empty_reason(empty, closure)}" if empty else reason
+    places = ", ".join(".".join(map(str, each.place)) for each in lowest.ranges)
+    note = f"caught for all of {sets.cases} combinations of {places}, shrunk by {1e3 * sets.shrunk:.2g} mm for those between"
+    radii = [each.object.radius for each in lowest.corners() if isinstance(each.object, Disk)]
+    whole, flattening = grown(sets.centre, max(radii), tolerance)
+    return Region(
+        model=Model.EXACT,
+        closure=closure,
+        guarantee=Guarantee.SAMPLED,
+        centre=sets.centre,
+        contact=EMPTY,
+        whole=whole,
+        flattening=flattening,
+        reason=reason,
+        notes=(note, *_notes(case)),
         outer=sets.outer,
     )
 

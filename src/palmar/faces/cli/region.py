@@ -11,6 +11,7 @@ from cyclopts import App, Parameter
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
 from palmar.faces.cli.texts import region_text, titled
 from palmar.faces.records import region_record
+from palmar.models.case_file import with_friction
 from palmar.models.closure import Closure
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
@@ -32,6 +33,7 @@ def region(
     *,
     model: Annotated[Model, Parameter(help="How the region is obtained.")] = Model.EXACT,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
+    friction: Annotated[str | None, Parameter(help="Instead of the case's: a number, or a range LOW..HIGH.")] = None,
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
     ] = Seen.HAND,
@@ -45,6 +47,8 @@ def region(
 
         known_ending(out)
     name, given = open_case(case)
+    if friction is not None:
+        given = with_friction(given, friction, "--friction")
     result = build_region(given, model, closure)
     from_object = seen_from is Seen.OBJECT
     if out is not None:
