@@ -21,8 +21,9 @@ from palmar.mechanics.pushing.push import Pusher, PushOutcome, push
 from palmar.models.objects import Disk
 from palmar.models.support import Support
 from palmar.studies.identify import Identified, identify, split
-from palmar.studies.pushes import RecordedPushes, end_errors, predict, read_pushes, slider_of, wrapped
+from palmar.studies.pushes import RecordedPushes, end_errors, predict, read_pushes, wrapped
 from palmar.studies.registration import Registration, register, start_gaps
+from palmar.worlds.planar.resting import slider_of
 from reference.planar_pushes import OBJECTS, PEER, PUSHER_RADIUS, data_file
 
 Floats = NDArray[np.float64]

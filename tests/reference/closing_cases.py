@@ -57,7 +57,9 @@ class Question:
         rest = math.pi - self.first
         joints = [[self.first, *self.offsets], [math.pi, *(np.add(self.offsets, np.multiply(self.ratios, rest)))]]
         clock = np.array([self.first, math.pi])
-        return Hand(self.half_palm, self.links, self.half_thickness, self.crossing, clock=clock, joints=np.array(joints))
+        return Hand(
+            self.half_palm, self.links, self.half_thickness, self.crossing, clock=clock, joints=np.array(joints)
+        )
 
     @property
     def motion(self) -> HandMotion:

@@ -7,20 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from palmar.geometry.polygon import area_centroid
 from palmar.mechanics.pushing.closing import Ends
 from palmar.mechanics.pushing.closing_events import ENDS, LEAVES, STALLS, STICKS, TOUCHES
+from palmar.mechanics.pushing.closing_frames import carry_frames
 from palmar.mechanics.pushing.closing_steps import carry, carry_all
 from palmar.mechanics.pushing.hand_pose import HandMotion, hand_motion
-from palmar.mechanics.pushing.limit_surface import LimitSurface, polygon_surface, sampled_surface
-from palmar.mechanics.pushing.polygon_contacts import Body, disk_body, polygon_body
-from palmar.mechanics.pushing.pressure_cells import PRESSURE_EXPONENT, polygon_cells
+from palmar.mechanics.pushing.polygon_contacts import Body
+from palmar.mechanics.pushing.slider import slider_body
 from palmar.models.case import Case
 from palmar.models.hand import Fingers
-from palmar.models.objects import Disk
-from palmar.models.support import Pressure
 from palmar.worlds.planar.events import Event
-from palmar.worlds.planar.table import pressure_surface
+from palmar.worlds.planar.resting import slider_of
+from palmar.worlds.planar.table import Trace
 
 Floats = NDArray[np.float64]
 MOST_EVENTS = 400
@@ -39,6 +37,12 @@ class SteppingWorld:
         """How each start (N, 3) = x, y, theta of the object's frame ends."""
         codes, ends, _ = carry_all(self.motion, self.body, self._moved(np.asarray(starts, dtype=float), 1.0))
         return Ends(codes, self._moved(ends[:, :3], -1.0), ends[:, 3:])
+
+    def trace(self, start: tuple[float, float, float], frames: int) -> Trace:
+        """Poses of the object's frame at ``frames`` equal steps of the closing angle."""
+        angles = np.linspace(self.motion.first, self.motion.last, frames)
+        poses, fingers = carry_frames(self.motion, self.body, self._moved(np.array([start]), 1.0)[0], angles)
+        return Trace(angles, self._moved(poses, -1.0), fingers)
 
     def events(self, start: tuple[float, float, float], outcome: str) -> tuple[Event, ...]:
         """The events of one start in order; the last one is the end, its body the outcome."""
@@ -66,7 +70,7 @@ class SteppingWorld:
 
 def stepping_world(case: Case) -> SteppingWorld:
     """The world of a case on a table."""
-    hand, offset = case.hand, case.support.pressure_centre
+    hand = case.hand
     motion = hand_motion(
         hand.half_palm,
         [hand.finger_length],
@@ -75,16 +79,5 @@ def stepping_world(case: Case) -> SteppingWorld:
         limit=hand.base_limits[1],
         colliding=hand.fingers is Fingers.COLLIDING,
     )
-    mu, pressure = case.contact.friction, case.support.pressure
-    if isinstance(case.object, Disk):
-        surface = pressure_surface(case.object, case.support)
-        return SteppingWorld(motion, disk_body(case.object.radius, mu, surface), (0.0, 0.0))
-    middle = area_centroid(case.object.vertices)
-    centre = (middle[0] + offset[0], middle[1] + offset[1])
-    corners = np.array(case.object.vertices) - centre
-    return SteppingWorld(motion, polygon_body(corners, mu, _polygon_surface(corners, pressure)), centre)
-
-
-def _polygon_surface(corners: Floats, pressure: Pressure) -> LimitSurface:
-    uniform = pressure is Pressure.UNIFORM
-    return polygon_surface(corners) if uniform else sampled_surface(polygon_cells(corners, PRESSURE_EXPONENT[pressure]))
+    slider = slider_of(case.object, case.support)
+    return SteppingWorld(motion, slider_body(slider, case.contact.friction), slider.centre)
