@@ -9,8 +9,9 @@ from shapely import MultiPolygon
 from palmar.errors import NotCoveredError
 from palmar.geometry.planar_set import EMPTY, grown
 from palmar.mechanics.closure.disk_2_2 import Radii, frictional_radii, structural_radii
-from palmar.mechanics.pushing.closing_case import closing_hand, pressure_surface
+from palmar.mechanics.pushing.closing_case import closing_hand
 from palmar.mechanics.pushing.closing_tables import build_tables
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.case import Case, Range
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
@@ -96,7 +97,7 @@ def disk_sets(case: Case, tolerance: float) -> ExactSets:
     hand = closing_hand(case.hand, case.object.radius, case.contact.friction)
     if hand.last <= hand.first:
         return ExactSets(EMPTY, EMPTY, EMPTY, EMPTY, 0.0, ())
-    return exact_sets(hand, build_tables(hand, pressure_surface(case.object, case.support), spin=False), tolerance)
+    return exact_sets(hand, build_tables(hand, slider_of(case.object, case.support).surface, spin=False), tolerance)
 
 
 def with_lowest_friction(case: Case, closure: Closure) -> Case:

@@ -12,7 +12,7 @@ from palmar.mechanics.pushing.closing import Ends
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
 from palmar.worlds.planar.events import Event, events
-from palmar.worlds.planar.table import TableWorld, Trace, covered, table_world, trace
+from palmar.worlds.planar.table import Trace, covered, table_world, trace
 
 
 @dataclass(frozen=True)
@@ -74,10 +74,14 @@ def _events(case: Case, place: NDArray[np.float64], outcome: Outcome) -> tuple[E
     return events(table_world(case), (x, y), outcome.value)
 
 
-def film(case: Case, start: tuple[float, float], frames: int) -> tuple[TableWorld, Trace]:
-    """The world and the poses of one start at equal steps of time."""
-    world = table_world(case)
-    return world, trace(world, start, frames)
+def film(case: Case, start: tuple[float, float, float], frames: int) -> Trace:
+    """The poses of one valid start at equal steps of the closing angle."""
+    if not covered(case):
+        from palmar.worlds.planar.stepping import stepping_world
+
+        return stepping_world(case).trace(start, frames)
+    whole = trace(table_world(case), start[:2], frames)
+    return Trace(whole.psi, whole.poses + np.array([0.0, 0.0, start[2]]), whole.fingers)
 
 
 def _places(case: Case, starts: NDArray[np.float64]) -> NDArray[np.float64]:
