@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from shapely import MultiPolygon
+
 from palmar.geometry.planar_set import Circle, coordinates, seen_from_object
 from palmar.mechanics.closure.sizing import Dimension
 from palmar.models.outcome import Outcome
@@ -84,9 +86,19 @@ def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any
         "area_m2": region.area,
         "allowed_error": _circle(region.allowed_error, from_object),
         **({} if region.outer is None else {"outer": coordinates(view(region.outer)), "band_m2": region.band}),
+        **({} if region.certain is None else _simulated(region, view(region.certain))),
         "flattening_m": region.flattening,
         "reason": region.reason,
         "notes": list(region.notes),
+    }
+
+
+def _simulated(region: Region, certain: MultiPolygon) -> dict[str, Any]:
+    return {
+        "certain": coordinates(certain),
+        "certain_area_m2": float(certain.area),
+        "theta_rad": list(region.orientations or ()),
+        "spacing_m": region.spacing,
     }
 
 

@@ -21,6 +21,7 @@ from palmar.models.support import SupportKind
 from palmar.regions.closing_exact import ExactSets, exact_sets
 from palmar.regions.region import Model, Region
 from palmar.regions.robust import robust_sets
+from palmar.regions.simulated import Orientations, simulated_region
 
 FLATTENING = 1e-5
 """Default flattening error of curves, as a share of the finger's length."""
@@ -29,19 +30,25 @@ WITHOUT_EFFECT = (FRICTION, ("support", "friction"), ("contact", "restitution"),
 """Ranges that leave the region of a disk alone, or that its lowest value decides."""
 
 
-def exact_region(case: Case, closure: Closure = Closure.FRICTIONAL, tolerance: float | None = None) -> Region:
-    """The true pre-image of the closing motion on a table, boundaries within ``tolerance`` (m; 1e-5 finger lengths).
+def exact_region(
+    case: Case,
+    closure: Closure = Closure.FRICTIONAL,
+    tolerance: float | None = None,
+    orientations: Orientations | None = None,
+    spacing: float | None = None,
+) -> Region:
+    """The true pre-image of the closing motion on a table.
 
-    A range of friction means: caught for every value in it, which is caught for the lowest (docs/derivations/exact_region).
+    Disks under centred pressure: closed form, boundaries within ``tolerance`` (m; 1e-5 finger lengths); a range of friction
+    means caught for every value in it, which is caught for the lowest (docs/derivations/exact_region.md). Polygons, and
+    other pressures: from simulated starts at most ``spacing`` (m) apart, for all ``orientations`` (rad, first and last).
     Raises NotCoveredError where no method covers the case.
     """
     if case.support.kind is not SupportKind.TABLE:
         raise NotCoveredError('support.kind = "free": the exact region is for objects on a table')
     lowest = with_lowest_friction(case, closure)
-    if not isinstance(lowest.object, Disk):
-        raise NotCoveredError('object.shape = "polygon": the exact region is for disks')
-    if lowest.support.pressure_centre != (0.0, 0.0):
-        raise NotCoveredError("support.pressure_centre_mm: the exact region needs the pressure centred under the disk")
+    if not isinstance(lowest.object, Disk) or lowest.support.pressure_centre != (0.0, 0.0):
+        return simulated_region(case, lowest, closure, orientations, spacing)
     tolerance = tolerance or FLATTENING * lowest.hand.finger_length
     if lowest.ranges:
         return _over_ranges(case, lowest, closure, tolerance)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from enum import Enum
 from pathlib import Path
 from typing import Annotated
 
 from cyclopts import App, Parameter
 
-from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
+from palmar.errors import InputError
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, show
 from palmar.faces.cli.texts import region_text, titled
 from palmar.faces.records import region_record
 from palmar.models.case_file import with_friction
@@ -34,6 +36,10 @@ def region(
     model: Annotated[Model, Parameter(help="How the region is obtained.")] = Model.EXACT,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
     friction: Annotated[str | None, Parameter(help="Instead of the case's: a number, or a range LOW..HIGH.")] = None,
+    theta: Annotated[
+        str | None,
+        Parameter(help="Orientations of a polygon: DEG, LOW..HIGH or all.", allow_leading_hyphen=True),
+    ] = None,
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
     ] = Seen.HAND,
@@ -49,7 +55,7 @@ def region(
     name, given = open_case(case)
     if friction is not None:
         given = with_friction(given, friction, "--friction")
-    result = build_region(given, model, closure)
+    result = build_region(given, model, closure, _orientations(theta))
     from_object = seen_from is Seen.OBJECT
     if out is not None:
         from palmar.faces.exports.region_file import write_region
@@ -58,3 +64,17 @@ def region(
     written = [f"Written: {out}"] if out is not None else []
     show(titled(name, given, region_text(result), *written), region_record(result, from_object=from_object), json)
     answer(not result.centre.is_empty, check)
+
+
+def _orientations(text: str | None) -> tuple[float, float] | None:
+    """Degrees, LOW..HIGH or all -> first and last orientation (rad)."""
+    if text is None:
+        return None
+    if text == "all":
+        return 0.0, 2.0 * math.pi
+    low, between, high = text.partition("..")
+    first = number(low, "--theta")
+    last = number(high, "--theta") if between else first
+    if not first <= last <= first + 360.0 or abs(first) > 1e4:
+        raise InputError("--theta", repr(text[:60]), "must be DEG, LOW..HIGH with at most 360 between, or all")
+    return math.radians(first), math.radians(last)
