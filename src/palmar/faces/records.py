@@ -16,6 +16,7 @@ from palmar.studies.sizing import Sizing
 
 if TYPE_CHECKING:
     from palmar.mechanics.pushing.closing import Ends
+    from palmar.studies.compare import Comparison
     from palmar.studies.simulate import Simulation
 
 _NAMES = {
@@ -90,6 +91,25 @@ def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any
         "flattening_m": region.flattening,
         "reason": region.reason,
         "notes": list(region.notes),
+    }
+
+
+def comparison_record(result: Comparison) -> dict[str, Any]:
+    """`palmar region CASE --compare A,B --json`."""
+    return {
+        "regions": {each.model.value: region_record(each) for each in result.regions},
+        "differences": [
+            {
+                "promised_by": each.promised_by.value,
+                "denied_by": each.denied_by.value,
+                "area_m2": float(each.where.area),
+                "where": coordinates(each.where),
+                "start_m": list(each.start),
+                "outcome": each.outcome.value,
+                "end_m": list(each.end),
+            }
+            for each in result.differences
+        ],
     }
 
 
