@@ -42,6 +42,12 @@ def test_kernels_end_as_the_reference_does(number: int, question: Question) -> N
             assert apart(kernel, reference, question.size) < 0.01
 
 
+def test_a_hold_that_is_reached_in_a_rapid_turn_is_seen() -> None:
+    """The way to the jam along the last twist is so short that its contacts still touch."""
+    asked = questions(274, 99)
+    assert [by_steps(asked[k]).outcome for k in (170, 273)] == ["frictional", "frictional"]
+
+
 @pytest.mark.parametrize(
     ("offset", "friction", "start"),
     [
