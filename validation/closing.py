@@ -29,6 +29,7 @@ TOLERANCE = 0.01
 ASIDE = 1e-3
 """How far, in sizes of the object, a start is moved to see whether it lies at a boundary."""
 QUICK, LONG = replace(COARSE, most_steps=120_000), replace(FINE, most_steps=500_000)
+STIFF, WEAK = replace(QUICK, stiffness=1e9, smallest_step=1e-12), replace(QUICK, stall=1e2)
 DECIDED = ("structural", "frictional")
 KERNELS: dict[str, Callable[[Question], Answer]] = {"events": by_events, "steps": by_steps}
 
@@ -96,6 +97,11 @@ def explain(task: tuple[Row, str, str]) -> Difference:
     other = [apart(by_reference(each, QUICK), row.reference, size) for each in moved[:4]]
     if max(spread, *other) > 0.5 * far:
         return Difference(row, name, what, f"sensitive: a thousandth of the size aside the end moves by {spread:.3f}")
+    stiff, weak = by_reference(question, STIFF), by_reference(question, WEAK)
+    if not differs(stiff, kernel, size) or not differs(weak, kernel, size):
+        return Difference(row, name, what, "reference: its contacts give way under the load at which it stalls")
+    if max(apart(stiff, row.reference, size), apart(weak, row.reference, size)) > 0.2 * far:
+        return Difference(row, name, what, "reference: depends on the load at which it stalls")
     if kernel.flags & 1:
         return Difference(row, name, what, "several motions admissible")
     return Difference(row, name, what, f"unexplained; finer reference {fine.outcome} {apart(fine, kernel, size):.3f}")

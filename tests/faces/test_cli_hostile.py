@@ -107,7 +107,7 @@ def simulated(path: Path, text: str, start: str, *words: str) -> tuple[int, str,
         (HAND + DISK + "[contact]\nfriction = -0.1\n", "0,120", "friction"),
         (HAND + polygon((0, 0), (30, 0), (60, 0)), "0,120", "three corners"),
         (HAND + polygon((0, 0), (30, 0), (0, 0), (30, 0)), "0,120", "vertices_mm"),
-        (HAND + polygon(*[(k % 10, 0) for k in range(110_000)]), "0,120", "10000"),
+        (HAND + polygon(*[(k % 10, 0) for k in range(110_000)]), "0,120", "2000"),
         (HAND + polygon(*[(100 * k, 1000 * k) for k in range(150_000)]), "0,120", "larger than"),
         (HAND + DISK + "[support]\npressure_centre_mm = [37, 0]\n", "0,120", "well inside"),
     ],
@@ -125,8 +125,11 @@ def test_repeated_and_straight_points_of_a_polygon_change_nothing(tmp_path):
     plain = polygon((-30, -20), (30, -20), (30, 20), (-30, 20))
     dotted = polygon((-30, -20), (-30, -20), (0, -20), (30, -20), (30, 0), (30, 20), (30, 20), (-30, 20), (-30, -20))
     one, other = (simulated(tmp_path / "case.toml", HAND + each, "60,90,20") for each in (plain, dotted))
-    assert one[0] == 0
-    assert one == other
+    assert one[0] == other[0] == 0
+    here, there = json.loads(one[1]), json.loads(other[1])
+    assert there["outcome"] == here["outcome"]
+    assert there["final"]["x_m"] == pytest.approx(here["final"]["x_m"], abs=1e-7)
+    assert there["final"]["theta_rad"] == pytest.approx(here["final"]["theta_rad"], abs=1e-5)
 
 
 @pytest.mark.parametrize("item", [DISK, polygon((-30, -20), (30, -20), (30, 20), (-30, 20))])
