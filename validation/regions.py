@@ -138,7 +138,7 @@ def polygons(starts: int) -> int:
                 continue
             number = starts if area is not core else starts // 10
             poses = np.column_stack([starts_in(area, number, rng), np.full(number, theta)])
-            caught = carry_all(motion, body, poses, 1e-5)[0] <= Outcome.CAGED.code
+            caught = carry_all(motion, body, poses)[0] <= Outcome.CAGED.code
             counts.append(int((caught != good).sum()))
         wrong += sum(counts)
         print(

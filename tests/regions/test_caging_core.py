@@ -48,9 +48,7 @@ def test_nothing_in_it_is_lost_at_any_friction(thing, friction):
     for theta in (low, 0.5 * (low + high), high):
         turn = np.array([[cos(theta), -sin(theta)], [sin(theta), cos(theta)]])
         places = random_places(core, 60, 1) + turn @ middle
-        codes, _, _ = carry_all(
-            straight_motion(HAND), body, np.column_stack([places, np.full(len(places), theta)]), 1e-5
-        )
+        codes, _, _ = carry_all(straight_motion(HAND), body, np.column_stack([places, np.full(len(places), theta)]))
         assert (codes <= Outcome.CAGED.code).all()
 
 

@@ -29,8 +29,6 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 COARSE = 24
 """Cells across the search box in the first pass."""
-TOLERANCE = 1e-5
-"""Finger lengths per stride: outcomes need no more, starts within some ten times that of the boundary aside."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +60,7 @@ def sampled_sets(
         for theta in thetas:
             some = np.flatnonzero(left)
             poses = np.column_stack([x[some], y[some], np.full(len(some), theta)])
-            codes, _, _ = carry_all(motion, body, moved_poses(centre, poses, 1.0), TOLERANCE)
+            codes, _, _ = carry_all(motion, body, moved_poses(centre, poses, 1.0))
             left[some] = codes <= Outcome.CAGED.code
             carried += len(some)
         return left

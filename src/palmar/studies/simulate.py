@@ -60,14 +60,27 @@ def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
 
         return stepping_world(case).ends(places)
     ends = table_world(case).ends(places[:, :2])
-    poses = ends.poses.copy()
+    codes, poses, fingers = ends.codes.copy(), ends.poses.copy(), ends.fingers.copy()
     poses[:, 2] += places[:, 2]
-    return Ends(ends.codes, poses, ends.fingers)
+    left = np.flatnonzero(codes == Outcome.UNDECIDED.code)
+    if len(left):
+        from palmar.worlds.planar.stepping import stepping_world
+
+        rest = stepping_world(case).ends(places[left])
+        codes[left], poses[left], fingers[left] = rest.codes, rest.poses, rest.fingers
+    return Ends(codes, poses, fingers)
+
+
+def _in_steps(case: Case, place: NDArray[np.float64]) -> bool:
+    """Whether a start is for the stepping kernel: the case, or a start that the event-to-event kernel leaves open."""
+    if not covered(case):
+        return True
+    return bool(table_world(case).ends(place[None, :2]).codes[0] == Outcome.UNDECIDED.code)
 
 
 def _events(case: Case, place: NDArray[np.float64], outcome: Outcome) -> tuple[Event, ...]:
     x, y, theta = (float(each) for each in place)
-    if not covered(case):
+    if _in_steps(case, place):
         from palmar.worlds.planar.stepping import stepping_world
 
         return stepping_world(case).events((x, y, theta), outcome.value)
@@ -76,7 +89,7 @@ def _events(case: Case, place: NDArray[np.float64], outcome: Outcome) -> tuple[E
 
 def film(case: Case, start: tuple[float, float, float], frames: int) -> Trace:
     """The poses of one valid start at equal steps of the closing angle."""
-    if not covered(case):
+    if _in_steps(case, np.array(start)):
         from palmar.worlds.planar.stepping import stepping_world
 
         return stepping_world(case).trace(start, frames)
