@@ -3,13 +3,12 @@
 from math import pi, radians
 
 import numpy as np
-import pytest
 import shapely
 
-from palmar.errors import NotCoveredError
 from palmar.models.case_file import parse_case
 from palmar.models.guarantee import Guarantee
-from palmar.regions.exact import disk_sets, exact_region, with_lowest_friction
+from palmar.regions.disk import disk_sets
+from palmar.regions.exact import exact_region
 from palmar.studies.simulate import simulate_starts
 
 TEXT = """[hand]
@@ -64,9 +63,19 @@ def test_all_orientations_leave_less_than_one():
     assert "3 orientations" in some.notes[0]
 
 
-def test_ranges_are_refused_with_their_place():
-    with pytest.raises(NotCoveredError, match=r"contact\.friction"):
-        exact_region(case_of(friction='"0.2..0.4"'))
+def test_a_range_of_friction_is_searched_for_a_polygon():
+    ranged = exact_region(case_of(friction='"0.2..0.4"'), spacing=0.03)
+    ends = [exact_region(case_of(friction=each), spacing=0.03) for each in ("0.2", "0.4")]
+    assert "17 combinations of contact.friction" in ranged.notes[0]
+    assert all(each.centre.buffer(1e-9).contains(ranged.centre) for each in ends)
+
+
+def test_a_range_of_the_pressure_centre_is_not_taken_for_a_centred_one():
+    disk = "radius_mm = 38"
+    ranged = exact_region(case_of(disk, offset='["-8..8", 0]'), spacing=0.03)
+    assert ranged.guarantee is Guarantee.SAMPLED
+    assert exact_region(case_of(disk)).outer.buffer(0.01).contains(ranged.centre)
+    assert ranged.area < exact_region(case_of(disk, offset="[8, 0]"), spacing=0.03).area + 1e-9
 
 
 def test_the_region_over_ranges_lies_in_that_of_every_value():
@@ -76,7 +85,7 @@ def test_the_region_over_ranges_lies_in_that_of_every_value():
     assert region.guarantee is Guarantee.SAMPLED and not region.centre.is_empty
     rng = np.random.default_rng(1)
     for palm, radius in zip(rng.uniform(0.11, 0.13, 12), rng.uniform(0.034, 0.04, 12), strict=True):
-        sets = disk_sets(with_lowest_friction(case, region.closure).settled([palm, radius]), 1e-5)
+        sets = disk_sets(case.settled([palm, radius]), 1e-5)
         assert sets.outer.buffer(1e-6).contains(region.centre)
 
 

@@ -20,7 +20,7 @@ from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
 from palmar.models.objects import Disk, Object
 from palmar.regions.caging_core import caging_core
-from palmar.regions.closing_sampled import sampled_sets
+from palmar.regions.closing_sampled import SampledSets, sampled_sets
 from palmar.regions.region import Model, Region
 
 Orientations = tuple[float, float]
@@ -31,23 +31,23 @@ TURN = radians(5.0)
 """Orientations at most this far apart are simulated."""
 
 
-def simulated_region(
-    case: Case, lowest: Case, closure: Closure, orientations: Orientations | None, spacing: float | None
-) -> Region:
-    """The region of ``lowest`` (``case`` at its lowest friction), caught at all orientations asked for."""
-    if lowest.ranges or (lowest.contact.friction != case.contact.friction and closure is Closure.FRICTIONAL):
-        places = ", ".join(".".join(map(str, each.place)) for each in case.ranges)
-        raise NotCoveredError(f"{places}: regions from simulated starts take plain numbers, not ranges")
-    low, high = orientations or (case.start.theta, case.start.theta)
-    thetas = _thetas(low, high)
-    motion, slider = straight_motion(lowest.hand), slider_of(lowest.object, lowest.support)
-    body = slider_body(slider, lowest.contact.friction)
-    wanted = spacing or SPACING * lowest.hand.finger_length
+def simulated_sets(case: Case, orientations: Orientations | None, spacing: float | None) -> SampledSets:
+    """The sets of a case without ranges, at all orientations asked for; raises NotCoveredError if no finger can move."""
+    motion, slider = straight_motion(case.hand), slider_of(case.object, case.support)
     if motion.last <= motion.first:
         raise NotCoveredError("hand.open_deg: the fingers cannot close any further")
-    sets = sampled_sets(motion, body, slider.centre, thetas, wanted)
-    core = caging_core(lowest.hand, lowest.object, motion.last, low, high)
-    whole, flattening = _whole(sets.centre, lowest.object, thetas)
+    thetas = _thetas(*(orientations or (case.start.theta, case.start.theta)))
+    body = slider_body(slider, case.contact.friction)
+    return sampled_sets(motion, body, slider.centre, thetas, spacing or SPACING * case.hand.finger_length)
+
+
+def simulated_region(case: Case, closure: Closure, orientations: Orientations | None, spacing: float | None) -> Region:
+    """The region of a case without ranges, caught at all orientations asked for, with its certain part."""
+    low, high = orientations or (case.start.theta, case.start.theta)
+    thetas = _thetas(low, high)
+    sets = simulated_sets(case, orientations, spacing)
+    core = caging_core(case.hand, case.object, straight_motion(case.hand).last, low, high)
+    whole, flattening = _whole(sets.centre, case.object, thetas)
     apart = degrees(thetas[1] - thetas[0]) if len(thetas) > 1 else 0.0
     spread = f", at {sets.orientations} orientations {apart:.3g} deg apart" if apart else ""
     empty = sets.centre.is_empty and core.is_empty
@@ -68,6 +68,11 @@ def simulated_region(
     )
 
 
+def object_reach(thing: Object) -> float:
+    """Distance (m) of the object's farthest point from its frame's origin."""
+    return thing.radius if isinstance(thing, Disk) else float(np.hypot(*np.transpose(thing.vertices)).max())
+
+
 def _thetas(low: float, high: float) -> NDArray[np.float64]:
     """Orientations from low to high, not more than TURN apart; a full turn is not closed twice."""
     steps = ceil((high - low) / TURN - 1e-9)
@@ -82,8 +87,7 @@ def _whole(centre: MultiPolygon, thing: Object, thetas: NDArray[np.float64]) -> 
     if isinstance(thing, Disk):
         return grown(centre, thing.radius, 1e-3 * thing.radius)
     if len(thetas) > 1:
-        reach = float(np.hypot(*np.transpose(thing.vertices)).max())
-        return grown(centre, reach, 1e-3 * reach)
+        return grown(centre, object_reach(thing), 1e-3 * object_reach(thing))
     corners = turned(thing.vertices, float(thetas[0]))
     pieces = [
         MultiPoint((part[:, None, :] + corners[None, :, :]).reshape(-1, 2)).convex_hull
