@@ -13,15 +13,26 @@ def area(multipolygon) -> float:
     return sum(shapely.Polygon(rings[0], rings[1:]).area for rings in multipolygon)
 
 
-def test_the_record_of_the_chapter_3_example(palmar):
+def test_the_exact_region_is_the_default(palmar):
     record = palmar("region", "chapter3_example", "--json").record
+    assert (record["model"], record["guarantee"], record["frame"]) == ("exact", "closed_form", "hand")
+    assert record["area_m2"] == pytest.approx(6.026, rel=1e-3)
+    assert 0.0 < record["band_m2"] < 1e-3
+    assert area(record["outer"]) == pytest.approx(record["area_m2"] + record["band_m2"], rel=1e-9)
+    structural = palmar("region", "chapter3_example", "--closure", "structural", "--json").record
+    assert structural["area_m2"] == pytest.approx(5.286, rel=1e-3)
+
+
+def test_the_published_record_of_the_chapter_3_example(palmar):
+    record = palmar("region", "chapter3_example", "--model", "published", "--json").record
     assert (record["model"], record["guarantee"], record["frame"]) == ("published", "construction", "hand")
     assert record["area_m2"] == pytest.approx(6.328, abs=1e-3)
     assert area(record["centre"]) == pytest.approx(record["area_m2"], rel=1e-9)
     assert record["allowed_error"]["radius_m"] == pytest.approx(0.7785, abs=1e-3)
     assert record["allowed_error"]["centre_m"][0] == 0.0
     assert area(record["whole"]) > area(record["contact"]) > area(record["centre"]) * 1.0
-    structural = palmar("region", "chapter3_example", "--closure", "structural", "--json").record
+    options = ("--model", "published", "--closure", "structural")
+    structural = palmar("region", "chapter3_example", *options, "--json").record
     assert structural["area_m2"] == pytest.approx(4.770, abs=1e-3)
 
 
@@ -66,7 +77,7 @@ def test_dxf_is_in_millimetres_with_named_layers(palmar, tmp_path):
         assert line.closed
         by_layer[line.dxf.layer] = shapely.Polygon([(x, y) for x, y, *_ in line.get_points()]).area
     assert set(by_layer) == {"PALMAR_CENTRE", "PALMAR_CONTACT", "PALMAR_WHOLE"}
-    assert by_layer["PALMAR_CENTRE"] == pytest.approx(6.328e6, rel=1e-3)
+    assert by_layer["PALMAR_CENTRE"] == pytest.approx(6.026e6, rel=1e-3)
     hand = drawing.modelspace().query('LINE[layer=="PALMAR_HAND"]')
     assert max(line.dxf.end.x for line in hand) == pytest.approx(3000.0)
     assert not drawing.audit().has_errors
@@ -114,7 +125,7 @@ def test_bad_options_are_one_line(palmar, words, said):
 def test_what_is_not_covered_is_one_line(palmar):
     answer = palmar("region", "testbed_free")
     assert answer.status == 2
-    assert answer.err == 'palmar: support.kind = "free": the published region is for objects on a table\n'
+    assert answer.err == 'palmar: support.kind = "free": the exact region is for objects on a table\n'
 
 
 def test_an_empty_region_is_an_answer(palmar, tmp_path):
@@ -124,6 +135,36 @@ def test_an_empty_region_is_an_answer(palmar, tmp_path):
     assert answer.status == 0
     assert answer.record["centre"] == []
     assert answer.record["allowed_error"] == {"centre_m": None, "radius_m": 0.0}
-    assert "no structural hold" in answer.record["reason"]
+    assert "too large for a structural hold" in answer.record["reason"]
     assert palmar("region", path, "--closure", "structural", "--check").status == 1
     assert palmar("region", path, "--closure", "structural", "--out", tmp_path / "e.svg").status == 0
+
+
+def test_two_models_compared(palmar, tmp_path):
+    path = tmp_path / "both.svg"
+    record = palmar("region", "chapter3_example", "--compare", "exact,published", "--out", path, "--json").record
+    assert set(record["regions"]) == {"exact", "published"}
+    broken = [each for each in record["differences"] if each["promised_by"] == "published"]
+    assert [each["outcome"] for each in broken] == ["escaped"]
+    assert "promised, but lost" in path.read_text()
+    for words, said in (("exact", "two of"), ("exact,exact", "two of"), ("exact,none", "two of")):
+        answer = palmar("region", "chapter3_example", "--compare", words)
+        assert (answer.status, answer.err.count("\n")) == (2, 1)
+        assert said in answer.err
+
+
+def test_friction_on_the_command_line(palmar):
+    ranged, low = (
+        palmar("region", "testbed_table", "--friction", each, "--json").record["area_m2"]
+        for each in ("0.2..0.8", "0.2")
+    )
+    assert ranged == low
+    for words in ("0.8..0.2", "-1", "rough"):
+        answer = palmar("region", "testbed_table", "--friction", words)
+        assert (answer.status, answer.err.count("\n")) == (2, 1)
+
+
+@pytest.mark.parametrize("words", ["x", "5..2", "0..400", "1..x", "nan"])
+def test_odd_orientations_are_one_line(palmar, words):
+    answer = palmar("region", "testbed_table", "--theta", words)
+    assert (answer.status, answer.err.count("\n")) == (2, 1)

@@ -16,6 +16,8 @@ from palmar.models.guarantee import Guarantee
 class Model(Enum):
     """How a region was obtained."""
 
+    EXACT = "exact"
+    """The stated mechanics solved; the region given is the inner side of its error band."""
     PUBLISHED = "published"
     """The source's construction (section 3.3.1), joined to the axis by a chord."""
 
@@ -26,7 +28,7 @@ class Region:
 
     ``centre`` holds the object's centres, ``contact`` the first contact points on the fingers,
     ``whole`` the entire object. ``flattening`` bounds the distance (m) between curved boundaries and the
-    polygons given, which lie inside them.
+    polygons given, which lie inside them. ``outer`` is the outer side of the error band: beyond it nothing is caught.
     """
 
     model: Model
@@ -38,11 +40,23 @@ class Region:
     flattening: float
     reason: str | None = None
     notes: tuple[str, ...] = ()
+    outer: MultiPolygon | None = None
+    certain: MultiPolygon | None = None
+    """Beside a sampled region: the part that is caught for certain, whatever friction and pressure."""
+    orientations: tuple[float, float] | None = None
+    """First and last orientation (rad) of the object for which the region holds; None: any."""
+    spacing: float | None = None
+    """Of the simulated starts (m)."""
 
     @property
     def area(self) -> float:
         """Area (m^2) of the centre region, both halves, valid starts only."""
         return float(self.centre.area)
+
+    @property
+    def band(self) -> float:
+        """Area (m^2) between the inner and the outer side; 0 without an outer side."""
+        return 0.0 if self.outer is None else max(float(self.outer.area) - self.area, 0.0)
 
     @cached_property
     def allowed_error(self) -> Circle | None:

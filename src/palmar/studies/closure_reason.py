@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import degrees, isnan, pi, sqrt, tan
 
-from palmar.mechanics.closure.disk_2_2 import last_angle
+from palmar.geometry.straight_finger import last_angle
 from palmar.mechanics.closure.sizing import Grip
 
 

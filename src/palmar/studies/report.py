@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from palmar.errors import NotCoveredError
 from palmar.models.case import Case
 from palmar.models.closure import Closure
-from palmar.regions.build import published_region
+from palmar.regions.build import build_region
 from palmar.regions.region import Region
 from palmar.studies.closure import ClosureAnswer, closure_answer
 
@@ -31,7 +31,7 @@ def report_facts(name: str, case: Case, progress: Callable[[str], None]) -> Repo
     progress("regions")
     wanted = (Closure.STRUCTURAL, Closure.FRICTIONAL) if case.contact.friction > 0.0 else (Closure.STRUCTURAL,)
     try:
-        regions = tuple(published_region(case, each) for each in wanted)
+        regions = tuple(build_region(case, closure=each) for each in wanted)
     except NotCoveredError as error:
         return Report(name, case, closure, (), str(error))
     return Report(name, case, closure, regions, None)

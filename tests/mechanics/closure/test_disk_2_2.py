@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from palmar.mechanics.closure.disk_2_2 import frictional_radii, last_angle, structural_radii, touched_radius
+from palmar.geometry.straight_finger import last_angle
+from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii, touched_radius
 from reference.disk_holding import holds_structurally, holds_with_friction
 
 ALPHA = atan(0.7)

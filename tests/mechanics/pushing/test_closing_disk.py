@@ -9,8 +9,11 @@ from hypothesis import strategies as st
 
 from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii
 from palmar.mechanics.pushing.closing import close_disk
+from palmar.mechanics.pushing.closing_steps import carry_all
 from palmar.mechanics.pushing.closing_tables import TIP_NODES, ClosingHand, build_tables
+from palmar.mechanics.pushing.hand_pose import hand_motion
 from palmar.mechanics.pushing.limit_surface import disk_surface, ellipsoid_surface
+from palmar.mechanics.pushing.polygon_contacts import disk_body
 from palmar.models.outcome import Outcome
 
 MU35 = tan(radians(35.0))
@@ -172,14 +175,41 @@ def test_stopping_earlier_shows_the_way_there(friction):
         assert gap[:, free].min() > -1e-9
 
 
+@pytest.mark.parametrize(("half_palm", "radius", "friction"), [(0.6, 0.09, 0.3), (1.0, 0.25, 0.5), (0.5, 0.2, 0.9)])
+def test_a_disk_turns_up_to_the_wedge_between_finger_and_palm(half_palm, radius, friction):
+    hand = ClosingHand(half_palm, 1.0, 0.0, radius, friction, 0.0, np.pi)
+    surface, motion = disk_surface(radius), hand_motion(half_palm, [1.0])
+    starts = np.column_stack([np.linspace(0.05, half_palm + 0.3, 60), np.full(60, radius + 0.05)])
+    ends = close_disk(hand, surface, starts)
+    wedged = (ends.codes <= Outcome.FRICTIONAL.code) & (np.abs(ends.poses[:, 1] - radius) < 1e-9)
+    wedged &= np.abs(ends.poses[:, 0]) > 1e-6
+    assert wedged.sum() >= 3
+    _, rival, _ = carry_all(motion, disk_body(radius, friction), starts[wedged], 1e-9)
+    assert np.abs(ends.poses[wedged] - rival[:, :3]).max() < 1e-6
+
+
 def test_odd_starts():
     found, _ = outcomes(example(0.4), [(0.0, 0.4), (2.0, 0.2), (5.0, 5.0), (0.0, -3.0), (0.0, 0.5)])
     assert found[:4] == [Outcome.INVALID, Outcome.INVALID, Outcome.MISSED, Outcome.MISSED]
     assert found[4].caught
 
 
-def test_thick_fingers_need_the_stepping_kernel_once_there_is_friction():
-    with pytest.raises(ValueError, match="stepping"):
-        close_disk(example(0.4)._replace(half_thickness=0.1), SURFACE, [(0.0, 1.0)])
-    thick = ClosingHand(1.0, 2.0, 0.1, 0.5, 0.0, 0.0, pi - sin(0.05))
-    assert outcomes(thick, [(0.5, 1.0)])[0] == [Outcome.STRUCTURAL]
+def test_thick_fingers_drag_the_disk_inwards():
+    thick = ClosingHand(1.0, 2.0, 0.1, 0.5, 0.4, 0.0, pi - sin(0.05))
+    plain, rough = (outcomes(thick._replace(friction=mu, last=1.2), [(2.0, 0.8)])[1].poses[0] for mu in (0.0, 0.4))
+    assert rough[0] < plain[0] - 1e-3
+    assert plain[2] == 0.0 and rough[2] < -1e-2
+    assert outcomes(thick._replace(friction=0.0), [(0.5, 1.0)])[0] == [Outcome.STRUCTURAL]
+
+
+def test_more_friction_catches_every_start_that_less_catches():
+    rng = np.random.default_rng(5)
+    for _ in range(25):
+        d, radius, h = rng.uniform(0.15, 1.6), rng.uniform(0.03, 1.0), rng.choice([0.0, rng.uniform(0.0, 0.2)])
+        hand = ClosingHand(d, 1.0, h, radius * min(d, 1.2), 0.0, rng.choice([0.0, 0.7]), pi - np.arcsin(h))
+        starts = random_starts(hand, 2000, int(rng.integers(1000)))
+        before = np.zeros(len(starts), bool)
+        for friction in np.sort(rng.uniform(0.0, 1.2, 4)):
+            now = close_disk(hand._replace(friction=friction), disk_surface(hand.radius), starts).codes <= 2
+            assert not (before & ~now).any()
+            before = now

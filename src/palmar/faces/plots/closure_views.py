@@ -13,7 +13,7 @@ from palmar.faces.plots.lettering import angle, millimetres
 from palmar.faces.plots.sheet import Extent
 from palmar.faces.plots.style import Role
 from palmar.geometry.polygon import turned
-from palmar.mechanics.closure.disk_2_2 import last_angle
+from palmar.geometry.straight_finger import last_angle
 from palmar.mechanics.closure.holding_pose import Pose, holding_pose, touching_pose
 from palmar.mechanics.closure.polygon_pose import squeezed_pose
 from palmar.mechanics.closure.sizing import Grip

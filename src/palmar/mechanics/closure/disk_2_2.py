@@ -23,6 +23,8 @@ from math import pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.geometry.straight_finger import last_angle
+
 Floats = NDArray[np.float64]
 ROUNDING = 1e-14
 """A smallest radius below this share of the finger's length is 0: tips that meet leave no gap."""
@@ -93,18 +95,6 @@ def frictional_radii(
         return radii
     structural = structural_radii(d, length, h, crossing=crossing, psi_limits=psi_limits)
     return Radii(np.where(no_friction, structural.min, radii.min), np.where(no_friction, structural.max, radii.max))
-
-
-def last_angle(
-    half_palm: ArrayLike, finger_length: ArrayLike, half_thickness: ArrayLike, crossing: bool, limit: float
-) -> Floats:
-    """Angle psi (rad) at which closing ends: the round tip rests on the palm, meets the other tip, or the limit."""
-    d, length, h = _together(half_palm, finger_length, half_thickness)
-    last: Floats = np.minimum(pi - np.arcsin(h / length), limit)
-    if crossing:
-        return last
-    cosine = (h - d) / length
-    return np.where(cosine > -1.0, np.minimum(last, np.arccos(np.clip(cosine, -1.0, 1.0))), last)
 
 
 def touched_radius(half_palm: ArrayLike, finger_length: ArrayLike, half_thickness: ArrayLike, psi: ArrayLike) -> Floats:

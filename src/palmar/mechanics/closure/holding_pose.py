@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import acos, asin, atan2, cos, hypot, pi, sin, sqrt
 
-from palmar.mechanics.closure.disk_2_2 import last_angle
+from palmar.geometry.straight_finger import last_angle
 from palmar.mechanics.closure.sizing import Grip
 
 ROUNDING = 1e-9

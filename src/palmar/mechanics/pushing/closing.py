@@ -31,11 +31,9 @@ class Ends:
 def close_disk(hand: ClosingHand, surface: LimitSurface, starts: ArrayLike, tables: Tables | None = None) -> Ends:
     """Close a straight-fingered crossing hand on a disk from each start (N, 2), its centre in m; see closing_disk.
 
-    ``surface`` must be rotationally symmetric about the disk's centre. Thick fingers only without friction.
-    ``tables`` may be passed to save building them again for the same hand and surface.
+    ``surface`` must be rotationally symmetric about the disk's centre. ``tables`` may be passed to save building them
+    again for the same hand and surface.
     """
-    if hand.half_thickness > 0.0 and hand.friction > 0.0:
-        raise ValueError("thick fingers with friction are for the stepping kernel")
     hand = ClosingHand(*map(float, hand))
     places = np.ascontiguousarray(starts, dtype=float)
     codes, ends = np.empty(len(places), np.int8), np.empty((len(places), 5))

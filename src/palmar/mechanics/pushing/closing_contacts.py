@@ -10,7 +10,7 @@ from palmar.mechanics.pushing.contact_scan import touching_candidates
 from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of, place_links
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of, side_of, write_contact
 
-SWEEPS = 40
+SWEEPS, MOST_SHIFT = 40, 500.0
 
 
 @compiled
@@ -34,6 +34,24 @@ def look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) ->
 
 
 @compiled
+def settle_and_look(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> tuple[float, int]:
+    """``settle``, unless that drives the object deeper into a link, then ``look``; returns as that."""
+    s = at.state
+    x, y, theta = s[X], s[Y], s[THETA]
+    settle(hand, body, at, count, scale)
+    least, found = look(hand, body, at, scale, scale.touch)
+    if least < -4.0 * scale.error - scale.touch:
+        shifted = s[X], s[Y], s[THETA]
+        s[X], s[Y], s[THETA] = x, y, theta
+        before, found = look(hand, body, at, scale, scale.touch)
+        if before >= least:
+            return before, found
+        s[X], s[Y], s[THETA] = shifted
+        least, found = look(hand, body, at, scale, scale.touch)
+    return least, found
+
+
+@compiled
 def settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> None:
     """Shift the object so that contacts of the last mode have gap zero and the others at least that."""
     s, square = at.state, body.reach * body.reach
@@ -45,7 +63,7 @@ def settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) ->
             gap = write_contact(
                 body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], cos(s[THETA]), sin(s[THETA]), row
             )
-            if abs(gap) > 100.0 * scale.error or (gap > 0.0 and at.loads[k, 0] == 0.0):
+            if abs(gap) > max(100.0 * scale.error, MOST_SHIFT * scale.touch) or (gap > 0.0 and at.loads[k, 0] == 0.0):
                 continue
             lever = row[0] * row[3] - row[1] * row[2]
             shift = -gap / (1.0 + lever * lever / square)

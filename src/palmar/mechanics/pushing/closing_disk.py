@@ -1,17 +1,19 @@
-"""A symmetric hand with straight crossing fingers closes on a disk on a table: event to event, in closed form.
+"""A symmetric hand with straight fingers closes on a disk on a table: event to event, in closed form.
 
 Both fingers turn from ``first`` to ``last`` at the same rate; a finger that stalls stays. The disk's centre starts at
 (x, y); by mirror symmetry x >= 0, so the right finger comes first. Phases, with rho = R + h and e the elevation of a
 contact above the disk's equator:
 
-- link: the contact runs out along the finger, r = r0 + rho (psi - psi0); the disk does not turn (section 3.2);
+- link: the contact runs out along the finger, at rho per radian and without turning the disk (section 3.2) unless a
+  thick finger's surface drags it (``closing_link``);
 - tip: the table of ``closing_tables`` in beta, e = psi - 90 deg - beta;
 - both: on the axis, wedged where |e| <= alpha, else carried to the palm (e > 0) or squeezed out (e < 0);
 - palm: kept on the palm by link or tip, x follows from psi; wedged where half the angle between palm and finger's
   tangent at the disk is at most alpha; then the other finger goes on alone.
 
-Line fingers with any friction, thick ones without; everything else is for the stepping kernel. Where a rare sequence
-leaves these phases the start is handed over too (``UNDECIDED``).
+Fingers that collide instead of crossing only end earlier. A start behind a finger that is open by more than 0, and is hit
+by the other one from outside, is left ``UNDECIDED``; such starts, polygons, bent links and uneven pressure are for the
+stepping kernel.
 """
 
 from __future__ import annotations
@@ -22,10 +24,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.pushing.closing_link import link_place, link_root, reach_at, spin_to_tip, turn_to_tip
 from palmar.mechanics.pushing.closing_tables import PALM_NODES, ClosingHand, Tables
-from palmar.mechanics.pushing.closing_tip import HALF, between, tip_leaves, tip_phase, tip_place
+from palmar.mechanics.pushing.closing_tip import HALF, falling_from, tip_lean, tip_leaves, tip_phase, tip_place
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.first_touch import first_touch, overlaps
+from palmar.mechanics.pushing.interpolation import between
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
@@ -70,9 +74,7 @@ def _from_first_touch(hand: ClosingHand, tables: Tables, alpha: float, x: float,
         return _at_rest(hand, x, y, 0.0, MISSED)
     if along <= hand.length:
         return _on_link(hand, tables, alpha, psi, along)
-    mx, my = x - hand.half_palm - hand.length * cos(psi), y - hand.length * sin(psi)
-    beta = atan2(mx * cos(psi) + my * sin(psi), my * cos(psi) - mx * sin(psi))
-    return _on_tip(hand, tables, alpha, psi, beta, 0.0)
+    return _on_tip(hand, tables, alpha, psi, tip_lean(hand, psi, x, y), 0.0)
 
 
 @compiled
@@ -88,45 +90,29 @@ def _at_rest(hand: ClosingHand, x: float, y: float, theta: float, outside: int) 
 @compiled
 def _on_link(hand: ClosingHand, tables: Tables, alpha: float, psi0: float, r0: float) -> End:
     """Pushed by the right link from contact r0 at psi0: to the tip, the axis, the palm, or the end."""
-    d, radius, rho = hand.half_palm, hand.radius, hand.radius + hand.half_thickness
-    tip = psi0 + (hand.length - r0) / rho
+    tip = psi0 + turn_to_tip(hand, tables, r0)
     stop = min(tip, hand.last)
-    r = r0 + rho * (stop - psi0)
+    x, y = link_place(hand, stop, reach_at(hand, tables, tip - stop))
     axis, palm = np.inf, np.inf
-    if d + r * cos(stop) - rho * sin(stop) <= 0.0:
-        axis = _link_root(d, rho, 0.0, psi0, r0, psi0, stop, True)
-    if stop > HALF and r * sin(stop) + rho * cos(stop) < radius:
-        palm = _link_root(d, rho, radius, psi0, r0, max(psi0, HALF), stop, False)
+    if x <= 0.0:
+        axis = link_root(hand, tables, tip, 0.0, psi0, stop, True)
+    falls = max(psi0, falling_from(hand, alpha))
+    if stop > falls and y < hand.radius:
+        palm = link_root(hand, tables, tip, hand.radius, falls, stop, False)
+    here = min(axis, palm, stop)
+    theta = spin_to_tip(hand, tables, r0) - spin_to_tip(hand, tables, reach_at(hand, tables, tip - here))
     if axis <= palm and axis <= stop:
-        return _both_links(hand, alpha, axis)
+        return _turned(_both_links(hand, alpha, axis), theta)
     if palm <= stop:
-        return _palm(hand, tables, alpha, palm, 0.0)
+        return _palm(hand, tables, alpha, palm, theta)
     if tip <= hand.last:
-        return _on_tip(hand, tables, alpha, tip, 0.0, 0.0)
-    return _at_rest(hand, d + r * cos(stop) - rho * sin(stop), r * sin(stop) + rho * cos(stop), 0.0, ESCAPED)
+        return _on_tip(hand, tables, alpha, tip, 0.0, theta)
+    return _at_rest(hand, x, y, theta, ESCAPED)
 
 
 @compiled
-def _link_root(
-    d: float, rho: float, level: float, psi0: float, r0: float, low: float, high: float, horizontal: bool
-) -> float:
-    """psi in [low, high] where x (horizontal) or y falls to ``level``; it falls throughout: Newton inside a bracket."""
-    psi = 0.5 * (low + high)
-    for _ in range(60):
-        r, c, s = r0 + rho * (psi - psi0), cos(psi), sin(psi)
-        value = (d + r * c - rho * s if horizontal else r * s + rho * c) - level
-        slope = -r * s if horizontal else r * c
-        if value > 0.0:
-            low = psi
-        else:
-            high = psi
-        step = psi - value / slope if slope != 0.0 else low
-        if not low < step < high:
-            step = 0.5 * (low + high)
-        if abs(step - psi) <= 1e-12:
-            return step
-        psi = step
-    return psi
+def _turned(end: End, theta: float) -> End:
+    return End(end.code, end.x, end.y, end.theta + theta, end.right, end.left)
 
 
 @compiled
@@ -204,7 +190,7 @@ def _after_tip(hand: ClosingHand, alpha: float, psi: float, beta: float, theta: 
     if psi >= hand.last - 1e-12:
         return _at_rest(hand, x, y, theta, ESCAPED)
     end = _both_tips(hand, alpha, psi, psi - HALF - beta)
-    return End(end.code, end.x, end.y, theta, end.right, end.left)
+    return _turned(end, theta)
 
 
 @compiled
@@ -229,20 +215,44 @@ def _palm(hand: ClosingHand, tables: Tables, alpha: float, psi: float, theta: fl
 
 @compiled
 def _palm_spin(tables: Tables, begin: float, end: float) -> float:
-    scale = (PALM_NODES - 1) / (tables.palm_end - HALF)
-    return between(tables.palm_spin, (end - HALF) * scale) - between(tables.palm_spin, (begin - HALF) * scale)
+    """The disk's turn on the palm from one psi to another; it rests where neither link nor tip moves it."""
+    turn = 0.0
+    for part in range(2):
+        low, high = tables.palm_range[part, 0], tables.palm_range[part, 1]
+        if high > low:
+            scale, values = (PALM_NODES - 1) / (high - low), tables.palm_spin[part]
+            turn += between(values, (min(max(end, low), high) - low) * scale)
+            turn -= between(values, (min(max(begin, low), high) - low) * scale)
+    return turn
 
 
 @compiled
 def _wedged(hand: ClosingHand, x: float, theta: float, right: float) -> End:
-    """The right finger has stalled with the disk at (x, R); the left one goes on until it touches."""
+    """The right finger has stalled with the disk at (x, R); the left one goes on until it touches.
+
+    If it then presses the disk into the wedge, the normals span the plane. If not, its tip touches between the palm and
+    the point opposite to the right finger's contact; the line through these two contacts leans even less from the normals
+    than the wedge's, so it lies in both cones and the left finger stalls, too.
+    """
     rho = hand.radius + hand.half_thickness
     left, along = first_touch(hand.half_palm, hand.length, rho, -x, hand.radius)
     if not left <= hand.last:
         return End(FRICTIONAL, x, hand.radius, theta, right, hand.last)
-    if along <= hand.length or hand.length * sin(left) >= hand.radius:
+    rise = hand.radius - hand.length * sin(left)
+    if along <= hand.length or rise <= 0.0:
         return End(STRUCTURAL, x, hand.radius, theta, right, left)
-    return End(UNDECIDED, x, hand.radius, theta, right, left)
+    drop = rho * -cos(right)
+    if _touch_is_by_tip(hand, x, right):
+        drop = hand.length * sin(right) - hand.radius
+    if rise < drop - 1e-9 * rho:
+        return End(STRUCTURAL, x, hand.radius, theta, right, left)
+    return End(FRICTIONAL, x, hand.radius, theta, right, left)
+
+
+@compiled
+def _touch_is_by_tip(hand: ClosingHand, x: float, psi: float) -> bool:
+    """Whether the right finger at psi touches the disk on the palm at x with its tip."""
+    return (x - hand.half_palm) * cos(psi) + hand.radius * sin(psi) > hand.length
 
 
 @compiled

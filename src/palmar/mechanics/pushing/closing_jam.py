@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from math import inf
 
-from palmar.mechanics.pushing.closing_events import STALLS, note
+from palmar.mechanics.pushing.closing_events import STALLS, note, note_touches
 from palmar.mechanics.pushing.closing_motion import (
     LEFT,
     OMEGA,
@@ -29,6 +29,7 @@ from palmar.mechanics.pushing.closing_motion import (
     Y,
     full_twist,
     mode_twist,
+    to_object,
     write_contacts,
 )  # fmt: skip
 from palmar.mechanics.pushing.compiled import compiled
@@ -49,7 +50,7 @@ def _moves_without(hand: HandMotion, body: Body, at: Bench, count: int, finger: 
     for k in range(count):
         row, owner = at.contacts[k], finger_of(hand, link_of(at.active[k]))
         if owner == finger or (owner >= 0 and finger == 2):
-            row[4], row[5] = hand.vx, hand.vy
+            row[4], row[5] = to_object(at, hand.vx, hand.vy)
         speed = max(speed, abs(row[4]) + abs(row[5]))
     guess = at.state[VX], at.state[VY], at.state[OMEGA]
     return full_twist(body, at, count, speed, guess) > 0 and _most_load(at, count) <= bearable
@@ -75,6 +76,7 @@ def stall(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> N
         without_left = _moves_without(hand, body, at, count, 1, bearable)
         if without_right != without_left:
             stop_right, stop_left = without_right, without_left
+    note_touches(at, count)
     if stop_right:
         s[RIGHT] = s[TIME]
         note(at, STALLS, 0)

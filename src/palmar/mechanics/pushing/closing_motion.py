@@ -3,6 +3,9 @@
 ``solve_motion`` tries every mode of every contact and finds all admissible motions. Within a step the mode stays
 the same, so ``mode_twist`` uses Newton's method in the mode of the last motion alone, and says how far the motion found
 is from being inadmissible; where it becomes so, all modes are tried again.
+
+A limit surface turns with its object: contacts are written, and motions solved, along the object's axes; motions come
+back along the table's.
 """
 
 from __future__ import annotations
@@ -26,7 +29,7 @@ from palmar.mechanics.pushing.contact_solve import (
     workspace,
 )
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, HandMotion, place_links
-from palmar.mechanics.pushing.limit_surface import tangent_metric
+from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK, tangent_metric
 from palmar.mechanics.pushing.metric import Triple, inverse, squared
 from palmar.mechanics.pushing.motion_solve import solve_motion, start_metric
 from palmar.mechanics.pushing.polygon_contacts import MOST_ACTIVE, Body, write_contact
@@ -51,7 +54,8 @@ class Bench(NamedTuple):
     ``apart`` is each link's least gap but for its active contacts at the state, or less. ``loads`` (per active contact:
     normal and tangential) and ``edges`` belong to the last motion found; ``modes`` is one for each link; ``stages`` are
     the twists of one step; ``pivot`` (on, x, y, rate) is what the object turns about where it turns with a link;
-    ``branches`` are the alternatives still to be followed; ``log`` the events.
+    ``branches`` are the alternatives still to be followed; ``log`` the events; ``frame`` cosine and sine of the axes that
+    the contacts are written along.
     """
 
     links: Floats
@@ -69,6 +73,7 @@ class Bench(NamedTuple):
     pivot: Floats
     branches: Floats
     log: Floats
+    frame: Floats
     space: Workspace
 
 
@@ -91,6 +96,7 @@ def bench(events: int) -> Bench:
         np.zeros(4),
         np.zeros((MOST_BRANCHES, STATE_WIDTH)),
         np.zeros((events, 3)),
+        np.zeros(2),
         workspace(),
     )
 
@@ -103,11 +109,31 @@ def write_contacts(
     """Place the links, write the active contacts' rows and gaps, and return the largest speed of the hand at any of them."""
     place_links(hand, time, right, left, at.links)
     speed, c, s = 0.0, cos(theta), sin(theta)
+    turned = body.surface.kind != UNIFORM_DISK and body.surface.kind != ELLIPSOID
+    at.frame[0], at.frame[1] = (c, s) if turned else (1.0, 0.0)
     for k in range(count):
         row = at.contacts[k]
         at.gaps[k] = write_contact(body, at.links, skin, at.active[k], at.sides[k], x, y, c, s, row)
         speed = max(speed, abs(row[4]) + abs(row[5]))
+        if turned:
+            row[0], row[1] = to_object(at, row[0], row[1])
+            row[2], row[3] = to_object(at, row[2], row[3])
+            row[4], row[5] = to_object(at, row[4], row[5])
     return speed
+
+
+@inlined
+def to_object(at: Bench, x: float, y: float) -> tuple[float, float]:
+    """A vector along the table's axes -> along those of the contacts written."""
+    c, s = at.frame[0], at.frame[1]
+    return c * x + s * y, c * y - s * x
+
+
+@inlined
+def _to_table(at: Bench, row: Floats) -> None:
+    """The first two entries of a motion -> along the table's axes."""
+    c, s, x, y = at.frame[0], at.frame[1], row[0], row[1]
+    row[0], row[1] = c * x - s * y, s * x + c * y
 
 
 @compiled
@@ -124,13 +150,17 @@ def full_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
         motions[0, :] = 0.0
         at.edges[:] = NONE
         return 1
+    gx, gy = to_object(at, guess[0], guess[1])
     if count > MOST_CONTACTS:
-        return _by_threes(body, at, count, guess)
-    number = solve_motion(body.surface, at.contacts, count, guess, at.space)
-    if number > 0:
-        for k in range(count):
-            at.loads[k, 0], at.loads[k, 1] = motions[0, 3 + 2 * k], motions[0, 4 + 2 * k]
-        _note_edges(at, count)
+        number = _by_threes(body, at, count, (gx, gy, guess[2]))
+    else:
+        number = solve_motion(body.surface, at.contacts, count, (gx, gy, guess[2]), at.space)
+        if number > 0:
+            for k in range(count):
+                at.loads[k, 0], at.loads[k, 1] = motions[0, 3 + 2 * k], motions[0, 4 + 2 * k]
+            _note_edges(at, count)
+    for m in range(number):
+        _to_table(at, motions[m])
     return number
 
 
@@ -195,7 +225,8 @@ def mode_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
     three edges is known, the first of all admissible motions, with margin 1.
     """
     motion, contacts, rows = at.space.motions[0], at.contacts, at.space.rows
-    x, y, w = guess
+    x, y = to_object(at, guess[0], guess[1])
+    w = guess[2]
     a, b, c = at.edges[0], at.edges[1], at.edges[2]
     if a == MANY:
         return full_twist(body, at, count, speed, guess) > 0, 1.0
@@ -212,6 +243,7 @@ def mode_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
         if regular and change <= LAST_CHANGE * LAST_CHANGE * squared(metric, x, y, w):
             _write_loads(at, count, a, b, c, la, lb, lc)
             motion[0], motion[1], motion[2] = x, y, w
+            _to_table(at, motion)
             return True, margin_left(contacts, count, rows, speed, a, b, c, la, lb, lc, x, y, w)
     return False, -1.0
 

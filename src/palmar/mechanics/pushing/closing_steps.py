@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing import closing_end
-from palmar.mechanics.pushing.closing_contacts import look, settle
+from palmar.mechanics.pushing.closing_contacts import look, settle_and_look
 from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
 from palmar.mechanics.pushing.closing_jam import pinch, stall
 from palmar.mechanics.pushing.closing_kink import first_kink
@@ -147,14 +147,13 @@ def _ahead(
 
 
 @compiled
-def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: int, branches: int) -> tuple[bool, int]:
+def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: int, branches: int) -> tuple[bool, int]:
     """Carry the state to its end; returns (whether that was reached, number of alternatives that wait)."""
     s, h = at.state, FIRST_STRIDE
     _, count = look(hand, body, at, scale, scale.touch)
     at.loads[:] = 0.0
     if count > 0:
-        settle(hand, body, at, count, scale)
-        _, count = look(hand, body, at, scale, scale.touch)
+        _, count = settle_and_look(hand, body, at, count, scale)
     for _ in range(most_steps):
         if s[TIME] >= hand.last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
             return True, branches
@@ -171,22 +170,25 @@ def _follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: i
         if len(at.log) > 0:
             note_modes(at, count)
         if pinch(hand, body, at, count, scale.skin):
-            settle(hand, body, at, count, scale)
-            _, count = look(hand, body, at, scale, scale.touch)
+            _, count = settle_and_look(hand, body, at, count, scale)
             stall(hand, body, at, count, scale.skin)
             continue
         h, proposal, over = _ahead(hand, body, at, count, scale, speed, h)
         part = _cut(hand, body, at, count, scale, h, over)
         _go_on(at, h, part, hand.last)
         if speed > 0.0 and at.pivot[0] == 0.0:
-            settle(hand, body, at, count, scale)
-        _, count = look(hand, body, at, scale, scale.touch)
+            least, count = settle_and_look(hand, body, at, count, scale)
+        else:
+            least, count = look(hand, body, at, scale, scale.touch)
         h = proposal
+        if least <= -body.width:  # a link is inside: never go on from there
+            s[FLAGS] = int(s[FLAGS]) | UNSOLVED
+            return False, branches
     return False, branches
 
 
 @compiled
-def _judge(hand: HandMotion, body: Body, at: Bench, scale: Scale) -> int:
+def judge(hand: HandMotion, body: Body, at: Bench, scale: Scale) -> int:
     """The outcome at the state."""
     s = at.state
     _, count = look(hand, body, at, scale, 50.0 * scale.touch)
@@ -239,8 +241,8 @@ def _carry(
         return End(INVALID, x, y, theta, first, first, 0)
     worst, waiting, flags = End(-1, x, y, theta, first, first, 0), 0, 0
     while True:
-        ended, waiting = _follow(hand, body, at, scale, most_steps, waiting)
-        code = _judge(hand, body, at, scale) if ended else UNDECIDED
+        ended, waiting = follow(hand, body, at, scale, most_steps, waiting)
+        code = judge(hand, body, at, scale) if ended else UNDECIDED
         flags |= int(s[FLAGS])
         if worst.code < 0 or (worst.code <= closing_end.CAGED and code > closing_end.CAGED):
             right = s[TIME] if s[RIGHT] == MOVING else s[RIGHT]

@@ -40,6 +40,9 @@ Floats = NDArray[np.float64]
 FIRST_STRIDE, LONGEST_STRIDE, LONGEST_ARC, SHORTEST_STRIDE = 0.1, 0.5, 1.0, 1e-7
 OVER = 1e-7
 """Margin below zero from which a mode counts as inadmissible: above the slack with which a new mode is found."""
+DRIFT = 5.0
+"""Gaps, in units of the gap that touches, by which two contacts under load may drift in a stride: where they nearly
+oppose each other or meet a third, closing gaps again moves the object by many times as much."""
 SHARE = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 STAGES = np.array(
     [
@@ -100,17 +103,20 @@ def stages(
 
 
 @inlined
-def error_of(at: Bench, count: int, reach: float, touch: float, h: float) -> float:
-    """Error of the stride (m): estimated for position and angle times ``reach``, known for gaps that the mode closes."""
+def error_of(at: Bench, count: int, reach: float, scale: Scale, base: float, h: float) -> float:
+    """Error of the stride (m): estimated for position and angle times ``reach``, known for gaps that the mode closes.
+
+    ``base`` (m) is what the latter were off at the stride's begin, or what touches.
+    """
     k = at.stages
     ex, ey, turn = 0.0, 0.0, 0.0
     for i in range(7):
         ex, ey, turn = ex + ERROR[i] * k[i, 0], ey + ERROR[i] * k[i, 1], turn + ERROR[i] * k[i, 2]
-    error = h * max(max(abs(ex), abs(ey)), reach * abs(turn))
+    error, drift, held = h * max(max(abs(ex), abs(ey)), reach * abs(turn)), 0.0, 0
     for c in range(count):
         if at.loads[c, 0] != 0.0:
-            error = max(error, abs(at.gaps[c]) - touch)
-    return error
+            drift, held = max(drift, abs(at.gaps[c]) - base), held + 1
+    return max(error, drift if held == 1 else drift * max(scale.error / (DRIFT * scale.touch), 1.0))
 
 
 @compiled
@@ -119,6 +125,9 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
 
     Where the mode has no motion right after the state, the shortest stride with the state's twist is taken.
     """
+    base = scale.touch
+    for c in range(count):
+        base = max(base, abs(at.gaps[c]) if at.loads[c, 0] != 0.0 else 0.0)
     while True:
         moves, over = stages(hand, body, at, count, scale.skin, h)
         if not moves:
@@ -132,7 +141,7 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
                 return SHORTEST_STRIDE, SHORTEST_STRIDE, 7
             h = max(0.2 * h, SHORTEST_STRIDE)
             continue
-        error = error_of(at, count, body.reach, scale.touch, h)
+        error = error_of(at, count, body.reach, scale, base, h)
         factor = 5.0 if error <= 2e-4 * scale.error else 0.9 * (scale.error / error) ** 0.2
         if error <= scale.error or h <= SHORTEST_STRIDE:
             return h, min(max(h * factor, SHORTEST_STRIDE), LONGEST_STRIDE), over

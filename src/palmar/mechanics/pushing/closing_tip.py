@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from math import asin, cos, pi, sin
+from math import asin, atan, atan2, cos, pi, sin
 
 import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing.closing_tables import TIP_NODES, ClosingHand, Tables
 from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.interpolation import between
 
 Floats = NDArray[np.float64]
 HALF = 0.5 * pi
@@ -58,11 +59,24 @@ def _tip_event(hand: ClosingHand, tables: Tables, offset: float, low: float, hig
 
 
 @compiled
+def falling_from(hand: ClosingHand, alpha: float) -> float:
+    """psi up to which a pushed disk surely rises: 90 degrees, less where a thick finger's surface drags it down."""
+    return HALF - alpha if hand.half_thickness > 0.0 else HALF
+
+
+@compiled
 def tip_place(hand: ClosingHand, psi: float, beta: float) -> tuple[float, float]:
     """The disk's centre on the right tip."""
     rho = hand.radius + hand.half_thickness
     x = hand.half_palm + hand.length * cos(psi) - rho * sin(psi - beta)
     return x, hand.length * sin(psi) + rho * cos(psi - beta)
+
+
+@compiled
+def tip_lean(hand: ClosingHand, psi: float, x: float, y: float) -> float:
+    """beta of a disk at (x, y) that the tip touches at psi."""
+    mx, my = x - hand.half_palm - hand.length * cos(psi), y - hand.length * sin(psi)
+    return atan2(mx * cos(psi) + my * sin(psi), my * cos(psi) - mx * sin(psi))
 
 
 @compiled
@@ -87,7 +101,7 @@ def _room_between(
 def _room(hand: ClosingHand, psi: float, x: float, y: float, floor: float) -> float:
     """Length left before the tip phase ends: on the axis, on the palm, or at the end of travel."""
     room = min(x, (hand.last - psi) * hand.length)
-    return min(room, y - floor) if psi > HALF else room
+    return min(room, y - floor) if psi > falling_from(hand, atan(hand.friction)) else room
 
 
 @compiled
@@ -102,13 +116,3 @@ def tip_leaves(hand: ClosingHand, tables: Tables, psi: float) -> bool:
         return True
     rate = between(tables.rate, max(beta, 0.0) / HALF * (TIP_NODES - 1))
     return hand.length * cos(psi) - rho * (1.0 - rate) * sin(psi - beta) >= 0.0
-
-
-@compiled
-def between(values: Floats, position: float) -> float:
-    """Cubic interpolation in a table at equal steps."""
-    k = min(max(int(position), 1), len(values) - 3)
-    t = position - k
-    a, b, c, d = values[k - 1], values[k], values[k + 1], values[k + 2]
-    slope, bend, twist = c - b / 2.0 - a / 3.0 - d / 6.0, 0.5 * (a + c) - b, (d - a) / 6.0 + 0.5 * (b - c)
-    return b + t * (slope + t * (bend + t * twist))

@@ -79,8 +79,8 @@ def first_touch(
         return part
     if min(free, near) <= level:
         free, near = gaps_after(hand, body, at, count, scale, inf, h, 0.0)
-        if min(free, near) <= level:
-            return part
+        if min(free, near) <= level:  # more touches than is known of
+            return min(part, FINEST / h)
     a, step = 0.0, _sure_step(free, near, speed, bend, h)
     while a < part:
         b = min(a + step, part)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from math import acos, asin, atan2, cos, hypot, sin, sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from palmar.mechanics.pushing.closing_tables import ClosingHand
 from palmar.mechanics.pushing.compiled import compiled
 
+Floats = NDArray[np.float64]
 TOUCHING = 1e-9
 """Overlaps at the start below this part of the radius count as touching."""
 
@@ -40,3 +42,16 @@ def overlaps(hand: ClosingHand, x: float, y: float) -> bool:
         if hypot(px - along * c, y - along * s) < hand.radius + hand.half_thickness - slack:
             return True
     return False
+
+
+@compiled
+def first_contacts(hand: ClosingHand, centres: Floats, points: Floats) -> None:
+    """Where the right finger first touches a disk at each centre (N, 2), into ``points`` (N, 2); NaN never."""
+    rho = hand.radius + hand.half_thickness
+    for k in range(len(centres)):
+        x, y = centres[k, 0], centres[k, 1]
+        psi, along = first_touch(hand.half_palm, hand.length, rho, x, y)
+        reach = min(along, hand.length)
+        foot_x, foot_y = hand.half_palm + reach * cos(psi), reach * sin(psi)
+        share = hand.half_thickness / rho
+        points[k, 0], points[k, 1] = foot_x + share * (x - foot_x), foot_y + share * (y - foot_y)

@@ -62,8 +62,7 @@ def polygon_body(vertices: ArrayLike, friction: float, surface: LimitSurface | N
     lengths = np.hypot(steps[:, 0], steps[:, 1])
     edges = np.column_stack([steps / lengths[:, None], lengths])
     outward = np.stack([edges[:, 1], -edges[:, 0]], axis=1)
-    along = corners @ outward.T
-    width = float((along.max(axis=0) - along.min(axis=0)).min())
+    width = min(float(np.ptp(corners @ normal)) for normal in outward)
     reach = float(np.hypot(corners[:, 0], corners[:, 1]).max())
     return Body(corners, edges, 0.0, reach, width, float(friction), surface or polygon_surface(corners))
 

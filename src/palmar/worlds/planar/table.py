@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from palmar.errors import NotCoveredError
-from palmar.mechanics.closure.disk_2_2 import last_angle
 from palmar.mechanics.pushing.closing import Ends, close_disk
+from palmar.mechanics.pushing.closing_case import closing_hand
 from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables, build_tables
-from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, sampled_surface
-from palmar.mechanics.pushing.pressure_cells import PRESSURE_EXPONENT, disk_cells
+from palmar.mechanics.pushing.limit_surface import LimitSurface
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.case import Case
-from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import Disk
-from palmar.models.support import Pressure, Support, SupportKind
+from palmar.models.support import SupportKind
 
 
 @dataclass(frozen=True)
@@ -40,40 +38,21 @@ def refuse_uncovered(case: Case) -> None:
         raise NotCoveredError('support.kind = "free": this world is the table')
     if case.ranges:
         raise NotCoveredError("a simulation takes plain numbers, not ranges")
-    if isinstance(case.object, Disk) and case.support.pressure_centre != (0.0, 0.0):
-        raise NotCoveredError("support.pressure_centre_mm: this world has the pressure centred under a disk")
 
 
 def covered(case: Case) -> bool:
-    """Whether the event-to-event kernel carries the case: disks, and with friction only crossing line fingers."""
+    """Whether the event-to-event kernel carries the case: disks pressed about their centre."""
     refuse_uncovered(case)
-    plain = case.contact.friction == 0.0
-    lines = case.hand.half_thickness == 0.0 and case.hand.fingers is Fingers.CROSSING
-    return isinstance(case.object, Disk) and (plain or lines)
+    return isinstance(case.object, Disk) and case.support.pressure_centre == (0.0, 0.0)
 
 
 def table_world(case: Case) -> TableWorld:
     """The event-to-event world of a case; raises NotCoveredError where it does not cover it."""
     if not covered(case) or not isinstance(case.object, Disk):
-        raise NotCoveredError("this needs a disk, and with friction crossing line fingers")
+        raise NotCoveredError("this needs a disk pressed about its centre")
     hand = closing_hand(case.hand, case.object.radius, case.contact.friction)
-    surface = pressure_surface(case.object, case.support)
+    surface = slider_of(case.object, case.support).surface
     return TableWorld(hand, surface, build_tables(hand, surface))
-
-
-def closing_hand(hand: Hand, radius: float, friction: float) -> ClosingHand:
-    """The straight-fingered hand as the kernel takes it, closing until palm, other finger or joint limit end it."""
-    crossing = hand.fingers is Fingers.CROSSING
-    h = hand.half_thickness
-    last = float(last_angle(hand.half_palm, hand.finger_length, h, crossing, hand.base_limits[1]))
-    return ClosingHand(hand.half_palm, hand.finger_length, h, radius, friction, hand.open, min(last, pi))
-
-
-def pressure_surface(disk: Disk, support: Support) -> LimitSurface:
-    """The limit surface of a disk under the support's pressure distribution."""
-    if support.pressure is Pressure.UNIFORM:
-        return disk_surface(disk.radius)
-    return sampled_surface(disk_cells(disk.radius, PRESSURE_EXPONENT[support.pressure]))
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,30 @@
+"""A case's hand as the closing kernels take it: straight fingers, both from the open angle to the end of their travel."""
+
+from __future__ import annotations
+
+from math import pi
+
+from palmar.geometry.straight_finger import last_angle
+from palmar.mechanics.pushing.closing_tables import ClosingHand
+from palmar.mechanics.pushing.hand_pose import HandMotion, hand_motion
+from palmar.models.hand import Fingers, Hand
+
+
+def closing_hand(hand: Hand, radius: float, friction: float) -> ClosingHand:
+    """For the event-to-event kernel, with the disk's radius (m) and the friction."""
+    crossing = hand.fingers is Fingers.CROSSING
+    h = hand.half_thickness
+    last = float(last_angle(hand.half_palm, hand.finger_length, h, crossing, hand.base_limits[1]))
+    return ClosingHand(hand.half_palm, hand.finger_length, h, radius, friction, hand.open, min(last, pi))
+
+
+def straight_motion(hand: Hand) -> HandMotion:
+    """For the stepping kernel."""
+    return hand_motion(
+        hand.half_palm,
+        [hand.finger_length],
+        hand.half_thickness,
+        first=hand.open,
+        limit=hand.base_limits[1],
+        colliding=hand.fingers is Fingers.COLLIDING,
+    )

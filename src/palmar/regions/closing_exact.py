@@ -1,0 +1,233 @@
+"""The true pre-image of the closing motion on a table: straight fingers, a disk with centred pressure (chapter 3).
+
+Every start lies on one way tau = const of ``closing_family`` and shares its fate. Where the fate changes from one
+tau to the next is bisected; the region is what lies between the ways so found, the open hand and the axis. The way of
+the last disk caught replaces the source's spiral and its chord: its part on the link is the spiral with the right
+Delta, its part on the tip the outer boundary. Derived in docs/derivations/exact_region.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import atan, cos, nan, pi, sqrt
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import MultiPolygon, Polygon
+from shapely.geometry.base import BaseGeometry
+
+from palmar.geometry.planar_set import EMPTY, areal, grown, outline, with_mirror_image
+from palmar.mechanics.pushing.closing import close_on_few
+from palmar.mechanics.pushing.closing_family import (
+    JUST_AFTER,
+    NO_START,
+    begin_of_way,
+    clearance,
+    contact_on_way,
+    end_of_way,
+    fates,
+    return_of_way,
+    tau_limits,
+    telling_taus,
+    way_points,
+    ways_may_return,
+)
+from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables
+from palmar.mechanics.pushing.closing_tip import HALF
+from palmar.mechanics.pushing.first_touch import first_contacts
+from palmar.models.outcome import Outcome
+
+Floats = NDArray[np.float64]
+SAMPLES, ASIDE = 256, (1e-6, 1e-4, 1e-3, 1e-2)
+"""Ways looked at, besides those so far (rad) to both sides of every way that is known to tell: a range of fates in which
+none of them falls would be missed."""
+ARC = 33
+"""Points on a quarter of the clearance about a joint or tip."""
+
+
+@dataclass(frozen=True)
+class ExactSets:
+    """Centre region, its outer side, contact and whole region (both halves, m); bound of the flattening (m).
+
+    ``ways``: the tau (rad) between which starts are caught, None standing for "up to the palm and the joint".
+    """
+
+    centre: MultiPolygon
+    outer: MultiPolygon
+    contact: MultiPolygon
+    whole: MultiPolygon
+    flattening: float
+    ways: tuple[tuple[float, float | None], ...]
+
+
+@dataclass(frozen=True)
+class ExactSides:
+    """Inner and outer side of the right half (m), the bound (m) of their distance from the true boundary, and ``ways``."""
+
+    inner: BaseGeometry
+    outer: BaseGeometry
+    flattening: float
+    ways: tuple[tuple[float, float | None], ...]
+
+
+@dataclass(frozen=True)
+class _Closing:
+    """A hand, its tables and its friction angle."""
+
+    hand: ClosingHand
+    tables: Tables
+    alpha: float
+
+
+def exact_sets(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSets:
+    """The regions of one hand and disk, boundaries flattened to about ``tolerance`` (m): inner and outer side."""
+    sides = exact_sides(hand, tables, tolerance)
+    if sides.inner.is_empty:
+        return ExactSets(EMPTY, with_mirror_image(sides.outer), EMPTY, EMPTY, sides.flattening, sides.ways)
+    centre = with_mirror_image(sides.inner)
+    whole, grown_bound = grown(centre, hand.radius, tolerance)
+    contact = with_mirror_image(_contacts(hand, sides.inner))
+    flattening = max(sides.flattening, grown_bound)
+    return ExactSets(centre, with_mirror_image(sides.outer), contact, whole, flattening, sides.ways)
+
+
+def exact_sides(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSides:
+    """The right half of the centre region, inner and outer side, which is all that decides about a start."""
+    closing = _Closing(hand, tables, atan(hand.friction))
+    ways = caught_ways(closing)
+    if not ways:
+        return ExactSides(EMPTY, EMPTY, 0.0, ())
+    return ExactSides(*_halves(closing, ways, tolerance), ways)
+
+
+def caught_ways(closing: _Closing) -> tuple[tuple[float, float | None], ...]:
+    """The intervals of tau in which the disk is caught."""
+    return tuple((low, high) for low, high, caught in _runs(closing, False) if caught)
+
+
+def _runs(closing: _Closing, returned: bool) -> list[tuple[float, float | None, bool]]:
+    """Intervals of tau with whether the disk is caught, rising; None for the end of the last one: up to the hand."""
+    low, high = tau_limits(closing.hand, closing.tables)
+    known = telling_taus(closing.hand, closing.tables, closing.alpha)
+    telling = [tau + side * aside for tau in known for aside in ASIDE for side in (-1.0, 1.0)]
+    taus = np.sort([*np.linspace(low, high, SAMPLES + 2)[1:-1], *(tau for tau in telling if low < tau < high)])
+    codes, ends = np.empty(len(taus), np.int8), np.empty(len(taus))
+    fates(closing.hand, closing.tables, closing.alpha, taus, returned, codes, ends)
+    kinds = np.where(codes == NO_START, -1, codes <= Outcome.CAGED.code)
+    begins = np.flatnonzero(np.diff(kinds, prepend=-1))
+    runs = []
+    for k, after in zip(begins, [*begins[1:], len(kinds)], strict=True) if len(begins) else ():
+        stop = None if after == len(kinds) or kinds[after] < 0 else float(ends[after])
+        if kinds[k] >= 0:
+            runs.append((float(ends[k]), stop, bool(kinds[k])))
+    return runs
+
+
+def _halves(
+    closing: _Closing, ways: tuple[tuple[float, float | None], ...], tolerance: float
+) -> tuple[BaseGeometry, BaseGeometry, float]:
+    """Inner and outer side of the right half, and the bound (m) of their distance from the true boundary."""
+    inner: BaseGeometry = EMPTY
+    outer: BaseGeometry = EMPTY
+    worst = 0.0
+    for low, high in ways:
+        inside, outside, bound = _between(closing, low, high, False, tolerance)
+        inner, outer, worst = inner | inside, outer | outside, max(worst, bound)
+    for low, high, caught in _runs(closing, True) if ways_may_return(closing.hand) else ():
+        inside, outside, _ = _between(closing, low, high, True, tolerance)
+        inner, outer = (inner | inside, outer | outside) if caught else (inner - outside, outer - inside)
+    for part, kept in _untouched(closing):
+        inner, outer = (inner | part, outer | part) if kept else (inner - part, outer - part)
+    return inner, outer, 2.0 * worst
+
+
+def _between(
+    closing: _Closing, low: float, high: float | None, returned: bool, tolerance: float
+) -> tuple[BaseGeometry, BaseGeometry, float]:
+    """Starts between two ways: from the inner and the outer side, and the error (m) of the chords."""
+    inside, bound = _up_to_way(closing, low, returned, tolerance, 1.0)
+    outside, _ = _up_to_way(closing, low, returned, tolerance, -1.0)
+    if high is not None:
+        inside = inside - _up_to_way(closing, high, returned, tolerance, -1.0)[0]
+        outside = outside - _up_to_way(closing, high, returned, tolerance, 1.0)[0]
+    return inside, outside, bound
+
+
+def _up_to_way(
+    closing: _Closing, tau: float, returned: bool, tolerance: float, side: float
+) -> tuple[BaseGeometry, float]:
+    """The right half's starts from the hand out to a way, or to its part that has returned; and the chords' error (m).
+
+    The way is moved towards the hand (side 1) or outwards (-1) by that error: ways lie apart by at least R cos alpha per
+    radian of tau, since the contact moves out at R or more and the motion leans by at most alpha from the normal.
+    """
+    hand, tables = closing.hand, closing.tables
+    radius, bound = hand.radius, 0.0
+    points = np.empty((max(32, int(2.0 * sqrt(hand.length / tolerance))), 2))
+    begin = end = nan
+    for _ in range(2):
+        tau += side * bound / (radius * cos(closing.alpha))
+        begin = (
+            return_of_way(hand, tables, closing.alpha, tau)
+            if returned
+            else begin_of_way(hand, tables, closing.alpha, tau)
+        )
+        if not begin < hand.last:
+            return EMPTY, bound
+        begin += JUST_AFTER if returned else 0.0
+        end = end_of_way(hand, tables, closing.alpha, tau, begin)
+        bound = way_points(hand, tables, tau, begin, end, points)
+    x, y = points[-1]
+    back, closure = pi, np.array([[0.0, max(y, radius)], [0.0, radius]])
+    if end >= hand.last and x > 1e-9 * radius and y > radius * (1.0 + 1e-9):
+        back, closure = hand.last + HALF, _clearance(closing, tau, end, hand.last + HALF, side > 0.0)[ARC:][::-1]
+    start = np.array([[points[0, 0], radius]]) if returned else _clearance(closing, tau, begin, back, side > 0.0)
+    ring = np.concatenate([points, closure, start])
+    return _valid(Polygon(ring), radius), bound
+
+
+def _clearance(closing: _Closing, tau: float, psi: float, back: float, clear: bool) -> Floats:
+    """The clearance of the finger at psi, from the joint out to the way tau."""
+    points = np.empty((2 * ARC, 2))
+    reach, beta = contact_on_way(closing.hand, closing.tables, tau, psi)
+    clearance(closing.hand, psi, back, reach, beta, clear, points)
+    return points
+
+
+def _valid(shape: BaseGeometry, radius: float) -> BaseGeometry:
+    """The part of a right half that is not beyond the axis or in the palm."""
+    whole = shape if shape.is_valid else shapely.make_valid(shape, method="structure")
+    far = max(map(abs, shape.bounds)) + radius
+    return shapely.intersection(whole, shapely.box(0.0, radius, far, 2.0 * far))
+
+
+def _untouched(closing: _Closing) -> list[tuple[BaseGeometry, bool]]:
+    """Parts of the right half that no finger reaches, each with whether a disk there is enclosed in the end."""
+    hand = closing.hand
+    points = np.empty((2 * ARC, 2))
+    clearance(hand, hand.last, pi, hand.length, HALF, False, points)
+    top = np.array([[0.0, points[-1, 1]], [0.0, hand.radius]])
+    pocket = _valid(Polygon(np.concatenate([points, top])), hand.radius)
+    parts = [part for part in shapely.get_parts(pocket) if part.area > 1e-9 * hand.radius**2]
+    if not parts:
+        return []
+    inside = np.array([shapely.point_on_surface(part).coords[0] for part in parts])
+    codes = np.empty(len(parts), np.int8)
+    close_on_few(hand, closing.tables, closing.alpha, inside, codes, np.empty((len(parts), 5)))
+    return [
+        (part, bool(code <= Outcome.CAGED.code)) for part, code in zip(parts, codes, strict=True) if code != NO_START
+    ]
+
+
+def _contacts(hand: ClosingHand, half: BaseGeometry) -> MultiPolygon:
+    """First contact points on the right finger for the centres of a right half."""
+    pieces = []
+    for part in areal(half).geoms:
+        ring = shapely.get_coordinates(shapely.segmentize(part.exterior, 0.02 * hand.length))
+        touched = np.empty((len(ring), 2))
+        first_contacts(hand, ring, touched)
+        touched = touched[np.isfinite(touched[:, 0])]
+        if len(touched) > 2:
+            pieces.append(outline(touched))
+    return areal(shapely.union_all(pieces))
