@@ -27,6 +27,8 @@ Orientations = tuple[float, float]
 """First and last orientation of the object's frame (rad)."""
 SPACING = 1.0 / 64.0
 """Default spacing of starts, in finger lengths."""
+FINEST = 1.0 / 2048.0
+"""Least spacing, in finger lengths: finer ones would take hours."""
 TURN = radians(5.0)
 """Orientations at most this far apart are simulated."""
 
@@ -38,7 +40,8 @@ def simulated_sets(case: Case, orientations: Orientations | None, spacing: float
         raise NotCoveredError("hand.open_deg: the fingers cannot close any further")
     thetas = _thetas(*(orientations or (case.start.theta, case.start.theta)))
     body = slider_body(slider, case.contact.friction)
-    return sampled_sets(motion, body, slider.centre, thetas, spacing or SPACING * case.hand.finger_length)
+    length = case.hand.finger_length
+    return sampled_sets(motion, body, slider.centre, thetas, max(spacing or SPACING * length, FINEST * length))
 
 
 def simulated_region(case: Case, closure: Closure, orientations: Orientations | None, spacing: float | None) -> Region:
