@@ -168,3 +168,15 @@ def test_friction_on_the_command_line(palmar):
 def test_odd_orientations_are_one_line(palmar, words):
     answer = palmar("region", "testbed_table", "--theta", words)
     assert (answer.status, answer.err.count("\n")) == (2, 1)
+
+
+@pytest.mark.parametrize("words", ["0", "-1", "nan", "1e-9", "1e9", "x"])
+def test_odd_tolerances_are_one_line(palmar, words):
+    answer = palmar("region", "testbed_table", "--tolerance", words)
+    assert (answer.status, answer.err.count("\n")) == (2, 1)
+
+
+def test_a_finer_tolerance_narrows_the_band(palmar):
+    coarse, fine = (palmar("region", "testbed_table", "--tolerance", each, "--json").record for each in ("1", "0.01"))
+    assert 0.0 < fine["band_m2"] < 0.1 * coarse["band_m2"]
+    assert coarse["area_m2"] < fine["area_m2"]

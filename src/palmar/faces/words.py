@@ -80,7 +80,7 @@ def _certain_rows(region: Region) -> list[Row]:
     """The part of a sampled region that is certain, and the orientations it is for."""
     if region.certain is None:
         return []
-    rows: list[Row] = [("of it certain", f"{1e4 * region.certain.area:.4g} cm2, enclosed before it is touched")]
+    rows: list[Row] = [("of it certain", f"{1e4 * region.certain.area:.4g} cm2, by bounds instead of simulation")]
     low, high = (math.degrees(each) for each in region.orientations or (0.0, 0.0))
     return [*rows, ("orientation", f"{low:.4g} deg" if low == high else f"every one from {low:.4g} to {high:.4g} deg")]
 

@@ -23,16 +23,18 @@ def build_region(
     model: Model = Model.EXACT,
     closure: Closure = Closure.FRICTIONAL,
     orientations: tuple[float, float] | None = None,
+    tolerance: float | None = None,
 ) -> Region:
     """The region of the case's motion; raises NotCoveredError where the model does not cover the case.
 
     ``orientations``: first and last (rad) at which a polygon is to be caught, else that of the case's start.
+    ``tolerance`` (m): how far curves of the exact region may be flattened, or simulated starts be apart.
     """
     if model is Model.PUBLISHED:
         return published_region(case, closure)
     from palmar.regions.exact import exact_region
 
-    return exact_region(case, closure, orientations=orientations)
+    return exact_region(case, closure, tolerance, orientations, tolerance)
 
 
 def published_region(case: Case, closure: Closure = Closure.FRICTIONAL) -> Region:

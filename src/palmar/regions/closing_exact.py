@@ -96,8 +96,6 @@ def exact_sides(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSid
     """The right half of the centre region, inner and outer side, which is all that decides about a start."""
     closing = _Closing(hand, tables, atan(hand.friction))
     ways = caught_ways(closing)
-    if not ways:
-        return ExactSides(EMPTY, EMPTY, 0.0, ())
     return ExactSides(*_halves(closing, ways, tolerance), ways)
 
 
@@ -168,11 +166,8 @@ def _up_to_way(
     begin = end = nan
     for _ in range(2):
         tau += side * bound / (radius * cos(closing.alpha))
-        begin = (
-            return_of_way(hand, tables, closing.alpha, tau)
-            if returned
-            else begin_of_way(hand, tables, closing.alpha, tau)
-        )
+        first = return_of_way if returned else begin_of_way
+        begin = first(hand, tables, closing.alpha, tau)
         if not begin < hand.last:
             return EMPTY, bound
         begin += JUST_AFTER if returned else 0.0

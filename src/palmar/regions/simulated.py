@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from math import ceil, degrees, pi, radians
+from math import ceil, degrees, hypot, pi, radians
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import MultiPoint, MultiPolygon
+from shapely import MultiPoint, MultiPolygon, affinity
+from shapely.geometry.base import BaseGeometry
 
 from palmar.errors import NotCoveredError
 from palmar.geometry.planar_set import EMPTY, areal, grown
@@ -21,12 +22,15 @@ from palmar.models.guarantee import Guarantee
 from palmar.models.objects import Disk, Object
 from palmar.regions.caging_core import caging_core
 from palmar.regions.closing_sampled import SampledSets, sampled_sets
+from palmar.regions.pushed_core import pushed_core
 from palmar.regions.region import Model, Region
 
 Orientations = tuple[float, float]
 """First and last orientation of the object's frame (rad)."""
 SPACING = 1.0 / 64.0
 """Default spacing of starts, in finger lengths."""
+FINEST = 1.0 / 2048.0
+"""Least spacing, in finger lengths: finer ones would take hours."""
 TURN = radians(5.0)
 """Orientations at most this far apart are simulated."""
 
@@ -38,7 +42,8 @@ def simulated_sets(case: Case, orientations: Orientations | None, spacing: float
         raise NotCoveredError("hand.open_deg: the fingers cannot close any further")
     thetas = _thetas(*(orientations or (case.start.theta, case.start.theta)))
     body = slider_body(slider, case.contact.friction)
-    return sampled_sets(motion, body, slider.centre, thetas, spacing or SPACING * case.hand.finger_length)
+    length = case.hand.finger_length
+    return sampled_sets(motion, body, slider.centre, thetas, max(spacing or SPACING * length, FINEST * length))
 
 
 def simulated_region(case: Case, closure: Closure, orientations: Orientations | None, spacing: float | None) -> Region:
@@ -46,7 +51,7 @@ def simulated_region(case: Case, closure: Closure, orientations: Orientations | 
     low, high = orientations or (case.start.theta, case.start.theta)
     thetas = _thetas(low, high)
     sets = simulated_sets(case, orientations, spacing)
-    core = caging_core(case.hand, case.object, straight_motion(case.hand).last, low, high)
+    core = _certain(case, low, high)
     whole, flattening = _whole(sets.centre, case.object, thetas)
     apart = degrees(thetas[1] - thetas[0]) if len(thetas) > 1 else 0.0
     spread = f", at {sets.orientations} orientations {apart:.3g} deg apart" if apart else ""
@@ -66,6 +71,24 @@ def simulated_region(case: Case, closure: Closure, orientations: Orientations | 
         orientations=(low, high),
         spacing=sets.spacing,
     )
+
+
+def _certain(case: Case, low: float, high: float) -> MultiPolygon:
+    """Positions of the object's frame that are certain: enclosed before it is touched, or followed by bounds."""
+    hand, last = case.hand, straight_motion(case.hand).last
+    untouched = caging_core(hand, case.object, last, low, high)
+    if hand.half_thickness > 0.0:
+        return untouched
+    slider = slider_of(case.object, case.support)
+    pushed: BaseGeometry = pushed_core(
+        hand.half_palm, hand.finger_length, hand.open, last, slider, case.contact.friction
+    )
+    if slider.centre != (0.0, 0.0):
+        thetas = _thetas(low, high)
+        pushed = pushed.buffer(-hypot(*slider.centre) * 0.5 * TURN) if len(thetas) > 1 else pushed
+        arms = [turned([slider.centre], float(theta))[0] for theta in thetas]
+        pushed = shapely.intersection_all([affinity.translate(pushed, -x, -y) for x, y in arms])
+    return areal(untouched | pushed)
 
 
 def object_reach(thing: Object) -> float:

@@ -21,6 +21,8 @@ from palmar.regions.build import build_region
 from palmar.regions.region import Model
 
 app = App(name="region")
+FINEST = 1e-8
+"""Least tolerance in finger lengths."""
 
 
 class Seen(Enum):
@@ -41,6 +43,12 @@ def region(
         str | None,
         Parameter(help="Orientations of a polygon: DEG, LOW..HIGH or all.", allow_leading_hyphen=True),
     ] = None,
+    tolerance: Annotated[
+        str | None,
+        Parameter(
+            help="In mm: how far curves may be flattened, or simulated starts be apart.", allow_leading_hyphen=True
+        ),
+    ] = None,
     compare: Annotated[str | None, Parameter(help="Two models side by side, as exact,published.")] = None,
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
@@ -60,7 +68,7 @@ def region(
     if compare is not None:
         _compare(name, given, _models(compare), closure, out, json)
         return
-    result = build_region(given, model, closure, _orientations(theta))
+    result = build_region(given, model, closure, _orientations(theta), _tolerance(tolerance, given))
     from_object = seen_from is Seen.OBJECT
     if out is not None:
         from palmar.faces.exports.region_file import write_region
@@ -69,6 +77,17 @@ def region(
     written = [f"Written: {out}"] if out is not None else []
     show(titled(name, given, region_text(result), *written), region_record(result, from_object=from_object), json)
     answer(not result.centre.is_empty, check)
+
+
+def _tolerance(text: str | None, case: Case) -> float | None:
+    """Millimetres -> m, within what can be computed and drawn for a hand of this size."""
+    if text is None:
+        return None
+    value, length = 1e-3 * number(text, "--tolerance"), case.hand.finger_length
+    if not FINEST * length <= value <= length:
+        allowed = f"must be from {1e3 * FINEST * length:.2g} to {1e3 * length:.4g} mm for this hand"
+        raise InputError("--tolerance", repr(text[:60]), allowed)
+    return value
 
 
 def _models(text: str) -> list[Model]:

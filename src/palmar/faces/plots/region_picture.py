@@ -32,7 +32,7 @@ WHOLE = Band(Role.WHOLE, "whole region: all of the object starts inside", 0.0, d
 CENTRE = Band(Role.CENTRE, "centre region: the object's centre starts inside", 1.0)
 CONTACT = Band(Role.CONTACT, "contact region: first contacts lie inside", 2.0, filled=False, dashes=(0, (4, 1.5)))
 OUTER = Band(Role.LOST, "no start beyond this line is caught", 0.5, filled=False, dashes=(0, (2.5, 1.5)))
-CERTAIN = Band(Role.HELD, "certain: enclosed before it is touched", 2.0)
+CERTAIN = Band(Role.HELD, "certain: by bounds instead of simulation", 2.0)
 ERROR = Band(Role.LARGEST, "allowed error: the largest circle in the centre region", 3.0, filled=False)
 PALM = Band(Role.CENTRE, "the middle of the palm starts inside", 1.0)
 PALM_ERROR = replace(ERROR, words="allowed error: the largest circle in that region")
