@@ -36,6 +36,8 @@ def _sigmas(given: Capture, scale: float) -> str:
 
 
 def _chance(given: Chance) -> str:
+    if given.probability < SURE:
+        return "none, less than 1 in 1e12 caught"
     low, high = given.at_least, given.at_most
     between = ""
     if low is not None and high is not None and high - low > RARE:
@@ -124,7 +126,9 @@ def ends_lines(given: FinalPoses, angles: FinalAngles | None) -> Iterator[str]:
 def validity_lines(given: Validity) -> Iterator[str]:
     """One or two lines: how far the numbers above apply."""
     slow = given.quasi_static
-    if slow is not None:
+    if slow is not None and not isfinite(slow.ratio):
+        yield "Nothing slows the object down on this table: pushed, it glides away, so the region does not apply."
+    elif slow is not None:
         yield (
             f"Closing at {degrees(slow.rate):.3g} deg/s is {slow.verdict} (limit {_rate(slow.rate_limit)}): inertia is "
             f"{slow.ratio:.2g} of the table's friction; keep {_mm(slow.drift)} mm for drift and {_mm(slow.coasting)} mm "

@@ -58,7 +58,7 @@ def answers(case: Case, region: Region | None, model: Model, closure: Closure, a
     angles = final_angles(plain, ends) if ends is not None and isinstance(case.object, Disk) else None
     opened, unopened = _opened(case, region, model, closure, asked, at)
     offset, refused = _offset(plain, region, asked)
-    checked = validity(plain, region, offset, (*unopened, *refused))
+    checked = validity(plain.model_copy(update={"ranges": case.ranges}), region, offset, (*unopened, *refused))
     return Answers(asked, checked, _capture(plain, region, asked, at), opened, ends, angles)
 
 
