@@ -93,7 +93,7 @@ def docs() -> None:
 
 
 def bench(*words: str) -> None:
-    call(PYTHON, "-m", "pytest", "benchmarks", "-p", "no:xdist", "-n0", "--benchmark-only", *words)
+    call(PYTHON, "-m", "pytest", "benchmarks", "-n0", "--benchmark-only", *words)
 
 
 def validate(*words: str) -> None:

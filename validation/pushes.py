@@ -18,10 +18,11 @@ from numpy.typing import NDArray
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 from palmar.mechanics.pushing.push import Pusher, PushOutcome, push
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.objects import Disk
 from palmar.models.support import Support
 from palmar.studies.identify import Identified, identify, split
-from palmar.studies.pushes import RecordedPushes, end_errors, predict, read_pushes, slider_of, wrapped
+from palmar.studies.pushes import RecordedPushes, end_errors, predict, read_pushes, wrapped
 from palmar.studies.registration import Registration, register, start_gaps
 from reference.planar_pushes import OBJECTS, PEER, PUSHER_RADIUS, data_file
 

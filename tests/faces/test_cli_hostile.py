@@ -1,6 +1,9 @@
 """Whatever a file holds, every command answers or says one line: never a traceback, never a half-written file."""
 
 import io
+import json
+import math
+import time
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
@@ -75,3 +78,76 @@ def test_a_huge_file_is_refused_at_once(tmp_path):
         file.truncate(1_000_000_000)
     assert call("closure", path)[0] == 2
     assert call("closure", Path("/dev/zero"))[0] == 2
+
+
+HAND = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\n"
+DISK = "[object]\nradius_mm = 38\n"
+
+
+def polygon(*corners: tuple[float, float]) -> str:
+    return "[object]\nshape = 'polygon'\nvertices_mm = [" + ",".join(f"[{x!r},{y!r}]" for x, y in corners) + "]\n"
+
+
+def simulated(path: Path, text: str, start: str, *words: str) -> tuple[int, str, str]:
+    path.write_text(text)
+    return call("simulate", path, "--start", start, "--json", *words)
+
+
+@pytest.mark.parametrize(
+    ("text", "start", "said"),
+    [
+        (HAND.replace("[244]", "[244, 0]") + DISK, "0,120", "finger_links_mm"),
+        (HAND.replace("[244]", "[]") + DISK, "0,120", "finger_links_mm"),
+        (HAND.replace("[244]", "[-1]") + DISK, "0,120", "finger_links_mm"),
+        (HAND + "open_deg = 180\n" + DISK, "0,120", "open_deg"),
+        (HAND + "open_deg = -1\n" + DISK, "0,120", "open_deg"),
+        (HAND + "joint_limits_deg = [[0, 400]]\n" + DISK, "0,120", "joint_limits_deg"),
+        (HAND + DISK + "[start]\ntheta_deg = 1e9\n", "0,120", "theta_deg"),
+        (HAND + DISK, "0,120,1e9", "at most 1000000"),
+        (HAND + DISK + "[contact]\nfriction = -0.1\n", "0,120", "friction"),
+        (HAND + polygon((0, 0), (30, 0), (60, 0)), "0,120", "three corners"),
+        (HAND + polygon((0, 0), (30, 0), (0, 0), (30, 0)), "0,120", "vertices_mm"),
+        (HAND + polygon(*[(k % 10, 0) for k in range(110_000)]), "0,120", "2000"),
+        (HAND + polygon(*[(100 * k, 1000 * k) for k in range(150_000)]), "0,120", "larger than"),
+        (HAND + DISK + "[support]\npressure_centre_mm = [37, 0]\n", "0,120", "well inside"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_simulated_is_one_line(tmp_path, text, start, said):
+    status, out, err = simulated(tmp_path / "case.toml", text, start)
+    assert (status, out) == (2, "")
+    assert err.startswith("palmar: ")
+    assert err.count("\n") == 1
+    assert said in err
+    assert len(err) < 500
+
+
+def test_repeated_and_straight_points_of_a_polygon_change_nothing(tmp_path):
+    plain = polygon((-30, -20), (30, -20), (30, 20), (-30, 20))
+    dotted = polygon((-30, -20), (-30, -20), (0, -20), (30, -20), (30, 0), (30, 20), (30, 20), (-30, 20), (-30, -20))
+    one, other = (simulated(tmp_path / "case.toml", HAND + each, "60,90,20") for each in (plain, dotted))
+    assert one[0] == other[0] == 0
+    here, there = json.loads(one[1]), json.loads(other[1])
+    assert there["outcome"] == here["outcome"]
+    assert there["final"]["x_m"] == pytest.approx(here["final"]["x_m"], abs=1e-7)
+    assert there["final"]["theta_rad"] == pytest.approx(here["final"]["theta_rad"], abs=1e-5)
+
+
+@pytest.mark.parametrize("item", [DISK, polygon((-30, -20), (30, -20), (30, 20), (-30, 20))])
+def test_overlap_and_no_friction_are_answered(tmp_path, item):
+    status, out, err = simulated(tmp_path / "case.toml", HAND + item, "0,10")
+    assert (status, err) == (0, "")
+    assert json.loads(out)["outcome"] == "invalid"
+    smooth = HAND + item + "[contact]\nfriction = 0\n"
+    status, out, err = simulated(tmp_path / "case.toml", smooth, "20,120")
+    assert (status, err) == (0, "")
+    assert json.loads(out)["outcome"] in {"structural", "caged"}
+
+
+def test_a_polygon_of_many_corners_is_answered_in_time(tmp_path):
+    angles = [2.0 * math.pi * k / 2000 for k in range(2000)]
+    text = HAND + polygon(*((round(38.0 * math.cos(a), 6), round(38.0 * math.sin(a), 6)) for a in angles))
+    begin = time.perf_counter()
+    status, out, err = simulated(tmp_path / "case.toml", text, "100,120")
+    assert (status, err) == (0, "")
+    assert json.loads(out)["outcome"] in {"structural", "frictional", "undecided"}
+    assert time.perf_counter() - begin < 60.0

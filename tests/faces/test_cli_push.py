@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from palmar.mechanics.pushing.push import Pusher, push
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.objects import Disk
 from palmar.models.support import Support
-from palmar.studies.pushes import slider_of
 from reference.planar_pushes import PUSHER_RADIUS, data_file
 
 HEADS = "x0_m,y0_m,theta0_rad,tip_x0_m,tip_y0_m,tip_x1_m,tip_y1_m"

@@ -138,3 +138,33 @@ def test_an_empty_region_is_an_answer(palmar, tmp_path):
     assert "too large for a structural hold" in answer.record["reason"]
     assert palmar("region", path, "--closure", "structural", "--check").status == 1
     assert palmar("region", path, "--closure", "structural", "--out", tmp_path / "e.svg").status == 0
+
+
+def test_two_models_compared(palmar, tmp_path):
+    path = tmp_path / "both.svg"
+    record = palmar("region", "chapter3_example", "--compare", "exact,published", "--out", path, "--json").record
+    assert set(record["regions"]) == {"exact", "published"}
+    broken = [each for each in record["differences"] if each["promised_by"] == "published"]
+    assert [each["outcome"] for each in broken] == ["escaped"]
+    assert "promised, but lost" in path.read_text()
+    for words, said in (("exact", "two of"), ("exact,exact", "two of"), ("exact,none", "two of")):
+        answer = palmar("region", "chapter3_example", "--compare", words)
+        assert (answer.status, answer.err.count("\n")) == (2, 1)
+        assert said in answer.err
+
+
+def test_friction_on_the_command_line(palmar):
+    ranged, low = (
+        palmar("region", "testbed_table", "--friction", each, "--json").record["area_m2"]
+        for each in ("0.2..0.8", "0.2")
+    )
+    assert ranged == low
+    for words in ("0.8..0.2", "-1", "rough"):
+        answer = palmar("region", "testbed_table", "--friction", words)
+        assert (answer.status, answer.err.count("\n")) == (2, 1)
+
+
+@pytest.mark.parametrize("words", ["x", "5..2", "0..400", "1..x", "nan"])
+def test_odd_orientations_are_one_line(palmar, words):
+    answer = palmar("region", "testbed_table", "--theta", words)
+    assert (answer.status, answer.err.count("\n")) == (2, 1)

@@ -10,11 +10,14 @@ import numba
 import numpy as np
 import pytest
 from PIL import Image
+from shapely import LineString, Point, Polygon
 
 from palmar.errors import InputError, OutputError
 from palmar.faces.plots.film import known_ending, write_film
 from palmar.faces.plots.film_scene import scene, ticks
+from palmar.faces.plots.hand import finger_points
 from palmar.faces.plots.sheet import Extent
+from palmar.geometry.polygon import turned
 from palmar.models.case_file import parse_case
 from palmar.models.shipped import open_case
 from palmar.studies.simulate import simulate_start
@@ -47,7 +50,7 @@ def one_thread():
 def filmed(start, theta=0.0, case=None):
     """Case, place and result of one start."""
     case = case or open_case("chapter3_example")[1]
-    return case, start, simulate_start(case, (*start, theta))
+    return case, (*start, theta), simulate_start(case, (*start, theta))
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +68,7 @@ def test_the_scene_runs_from_the_start_to_the_last_event(caught):
     assert film.times[0] == 0.0
     assert film.duration == pytest.approx(result.events[-1][0])
     assert np.all(np.diff(film.times) > 0.0)
-    np.testing.assert_allclose(film.poses[0], (*start, math.radians(10.0)), atol=1e-9)
+    np.testing.assert_allclose(film.poses[0], start, atol=1e-9)
     np.testing.assert_allclose(film.poses[-1], result.pose)
     assert [time for time, _ in film.events] == [time for time, _ in result.events]
     assert film.verdict == "Caught: held by friction; it ends at (0.0, 2196.6) mm, turned −16.9°"
@@ -80,6 +83,63 @@ def test_contacts_lie_on_the_disk_and_only_between_touch_and_leave(caught):
     assert len(film.contacts[-1]) == 2
     missed = scene(*filmed((20.0, 20.0)))
     assert set(map(len, missed.contacts)) == {0}
+
+
+THICK = """
+[hand]
+palm_width_mm = 120
+finger_links_mm = [137, 107]
+finger_thickness_mm = 25
+fingers = "colliding"
+[object]
+shape = "polygon"
+vertices_mm = [[0, 0], [60, 0], [60, 40], [10, 50]]
+[contact]
+friction = 0.5
+"""
+OFF_CENTRE = """
+[hand]
+palm_width_mm = 120
+finger_links_mm = [244]
+[object]
+radius_mm = 38
+[support]
+pressure_centre_mm = [15, 5]
+"""
+
+
+@pytest.mark.parametrize(("text", "start"), [(THICK, (0.1, 0.09, 0.4)), (OFF_CENTRE, (0.12, 0.1, 0.4))])
+def test_what_is_carried_in_steps_is_filmed_too(text, start, tmp_path):
+    case = parse_case(text)
+    result = simulate_start(case, start)
+    film = scene(case, start, result)
+    assert film.outcome.caught
+    np.testing.assert_allclose(film.poses[0], start, atol=1e-9)
+    np.testing.assert_allclose(film.poses[-1], result.pose)
+    steps = np.abs(np.diff(film.poses, axis=0))
+    assert steps[-1].max() <= 2.0 * steps[:-1].max()  # the frames lead to the same end
+    assert np.all(np.diff(film.fingers, axis=0) >= 0.0)
+    assert len(film.contacts[0]) == 0
+    assert len(film.contacts[-1]) >= 2
+    write_film(tmp_path / "film.html", case, start, result)
+    page = (tmp_path / "film.html").read_text(encoding="utf-8")
+    assert page.count('class="contact"') == max(map(len, film.contacts))
+    write_film(tmp_path / "film.gif", case, start, result)
+    with Image.open(tmp_path / "film.gif") as image:
+        assert image.n_frames > 50
+
+
+def test_contacts_lie_on_the_outline_of_a_polygon_and_on_the_finger():
+    case, start = parse_case(THICK), (0.1, 0.09, 0.4)
+    film = scene(case, start, simulate_start(case, start))
+    for pose, (right, left), points in zip(film.poses, film.fingers, film.contacts, strict=True):
+        outline = Polygon(turned(case.object.vertices, pose[2]) + pose[:2]).exterior
+        lines = [LineString(finger_points(case.hand, (psi,), left=k == 1)) for k, psi in enumerate((right, left))]
+        surfaces = [line.buffer(case.hand.half_thickness, 200).exterior for line in lines]
+        palm = LineString([(-0.06, 0.0), (0.06, 0.0)])
+        for point in points:
+            assert outline.distance(Point(point)) < 5e-4
+            assert min(surface.distance(Point(point)) for surface in (*surfaces, palm)) < 5e-4
 
 
 def test_everything_stays_within_the_extent():

@@ -62,13 +62,16 @@ def nearest_on_segment(segment, x, y):
 
 
 @njit(error_model="numpy")
-def add_contact(thing, links, body, depth, normal_x, normal_y, x, y, share, pose, twist, out):
-    """Add one contact at (x, y), `share` of the way along its body."""
+def add_contact(thing, links, body, depth, normal_x, normal_y, x, y, pose, twist, out):
+    """Add one contact at (x, y), where object and body are compared: there both move as rigid bodies do."""
     normal_force = thing.stiffness * depth
     arm_x, arm_y = x - pose[0], y - pose[1]
-    rates = links.rates
-    body_x = (1.0 - share) * rates[body, 0] + share * rates[body, 2]
-    body_y = (1.0 - share) * rates[body, 1] + share * rates[body, 3]
+    segment, rates = links.mid[body], links.rates[body]
+    along_x, along_y = segment[2] - segment[0], segment[3] - segment[1]
+    turn = along_x * (rates[3] - rates[1]) - along_y * (rates[2] - rates[0])
+    turn /= along_x**2 + along_y**2
+    body_x = rates[0] - turn * (y - segment[1])
+    body_y = rates[1] + turn * (x - segment[0])
     lever = arm_x * normal_x + arm_y * normal_y  # moment of a unit force along the tangent (-n_y, n_x)
     slide = -normal_y * (twist[0] - body_x) + normal_x * (twist[1] - body_y) + lever * twist[2]
     speed = math.sqrt(slide**2 + thing.eps**2)
@@ -114,9 +117,7 @@ def add_disk_contacts(thing, links, pose_end, pose, twist, out):
         foot_y = segment[1] + share * (segment[3] - segment[1])
         length = math.sqrt((pose[0] - foot_x) ** 2 + (pose[1] - foot_y) ** 2)
         n_x, n_y = (pose[0] - foot_x) / length, (pose[1] - foot_y) / length
-        add_contact(
-            thing, links, body, -gap, n_x, n_y, foot_x + half * n_x, foot_y + half * n_y, share, pose, twist, out
-        )
+        add_contact(thing, links, body, -gap, n_x, n_y, foot_x + half * n_x, foot_y + half * n_y, pose, twist, out)
     return nearest
 
 
@@ -172,7 +173,7 @@ def add_polygon_contacts(thing, links, pose_end, pose, twist, out):
                 length = math.sqrt(n_x**2 + n_y**2)
                 n_x, n_y = n_x / length, n_y / length
                 x, y = segment[2 * which] + half * n_x, segment[2 * which + 1] + half * n_y
-                add_contact(thing, links, body, half - distance, n_x, n_y, x, y, float(which), pose, twist, out)
+                add_contact(thing, links, body, half - distance, n_x, n_y, x, y, pose, twist, out)
         for i in range(count):
             share = nearest_on_segment(at_end, world_end[i, 0], world_end[i, 1])
             if (share <= 0.0 and faces_edge[0]) or (share >= 1.0 and faces_edge[1]):
@@ -185,5 +186,5 @@ def add_polygon_contacts(thing, links, pose_end, pose, twist, out):
                 n_x = x - segment[0] - share * (segment[2] - segment[0])
                 n_y = y - segment[1] - share * (segment[3] - segment[1])
                 length = math.sqrt(n_x**2 + n_y**2)
-                add_contact(thing, links, body, -gap, n_x / length, n_y / length, x, y, share, pose, twist, out)
+                add_contact(thing, links, body, -gap, n_x / length, n_y / length, x, y, pose, twist, out)
     return nearest

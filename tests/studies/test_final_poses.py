@@ -10,7 +10,7 @@ from palmar.models.case_file import parse_case
 from palmar.models.closure import Closure
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
-from palmar.regions.exact import with_lowest_friction
+from palmar.regions.exact import settle
 from palmar.studies.final_angles import final_angles, radius_read
 from palmar.studies.final_poses import final_poses, grid
 from palmar.studies.simulate import simulate_start
@@ -19,7 +19,7 @@ EXAMPLE = open_case("chapter3_example")[1]
 
 
 def ends_of(case, closure=Closure.FRICTIONAL):
-    plain = with_lowest_friction(case, closure)
+    plain = settle(case, closure)
     return plain, final_poses(plain, build_region(plain).centre)
 
 

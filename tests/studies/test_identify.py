@@ -6,11 +6,12 @@ import pytest
 from palmar.errors import InputError
 from palmar.mechanics.pushing.pressure_cells import PressureShape, polygon_cells, shaped
 from palmar.mechanics.pushing.push import Pusher, push
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.mechanics.pushing.slider import pressed_slider
 from palmar.models.objects import Disk
 from palmar.models.support import Support
 from palmar.studies.identify import identify, split
-from palmar.studies.pushes import RecordedPushes, end_errors, read_pushes, slider_of
+from palmar.studies.pushes import RecordedPushes, end_errors, read_pushes
 from palmar.studies.registration import Registration, register
 from reference.planar_pushes import OBJECTS, PEER, PUSHER_RADIUS, data_file
 
@@ -68,6 +69,13 @@ def test_offsets_from_starts_alone():
     assert found.starts == 60
     assert [*found.path, *found.outline] == pytest.approx([*truth.path, *truth.outline], abs=2e-5)
     assert found.turn == pytest.approx(truth.turn, abs=3e-4)
+
+
+def test_pushes_that_move_nothing_are_refused_in_one_line():
+    starts, paths = starts_in_contact(30, 3)
+    aside = paths + 1.0
+    with pytest.raises(InputError, match="none moves the object"):
+        identify(BLOCK, PUSHER_RADIUS, RecordedPushes(("",) * 30, starts, starts, aside))
 
 
 def test_starts_out_of_contact_give_no_offsets():

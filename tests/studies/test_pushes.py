@@ -6,8 +6,9 @@ import pytest
 from palmar.errors import InputError
 from palmar.mechanics.pushing.limit_surface import UNIFORM_DISK, UNIFORM_POLYGON
 from palmar.mechanics.pushing.push import Pusher, PushOutcome
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.support import Pressure, Support
-from palmar.studies.pushes import end_errors, mean_errors, predict, read_pushes, slider_of
+from palmar.studies.pushes import end_errors, mean_errors, predict, read_pushes
 from reference.planar_pushes import OBJECTS, PEER, PUSHER_RADIUS, data_file
 
 HEADER = "shape,x0_m,y0_m,theta0_rad,x1_m,y1_m,theta1_rad,tip_x0_m,tip_y0_m,tip_x1_m,tip_y1_m"

@@ -12,7 +12,7 @@ from palmar.models.case_file import parse_case
 from palmar.models.closure import Closure
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
-from palmar.regions.exact import with_lowest_friction
+from palmar.regions.exact import settle
 from palmar.studies.pace import pace
 from palmar.studies.pressure_offset import OffsetEffect, allowed_along_rays, offset_effect
 from palmar.studies.validity import edge_contact, validity
@@ -21,7 +21,7 @@ TEXT = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\n[object]\nradius_m
 
 
 def structural(name):
-    case = with_lowest_friction(open_case(name)[1], Closure.STRUCTURAL)
+    case = settle(open_case(name)[1], Closure.STRUCTURAL)
     return case, build_region(case)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from shapely import MultiPolygon
+
 from palmar.geometry.planar_set import Circle, coordinates, seen_from_object
 from palmar.mechanics.closure.sizing import Dimension
 from palmar.models.outcome import Outcome
@@ -14,6 +16,7 @@ from palmar.studies.sizing import Sizing
 
 if TYPE_CHECKING:
     from palmar.mechanics.pushing.closing import Ends
+    from palmar.studies.compare import Comparison
     from palmar.studies.simulate import Simulation
 
 _NAMES = {
@@ -84,9 +87,38 @@ def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any
         "area_m2": region.area,
         "allowed_error": _circle(region.allowed_error, from_object),
         **({} if region.outer is None else {"outer": coordinates(view(region.outer)), "band_m2": region.band}),
+        **({} if region.certain is None else _simulated(region, view(region.certain))),
         "flattening_m": region.flattening,
         "reason": region.reason,
         "notes": list(region.notes),
+    }
+
+
+def comparison_record(result: Comparison) -> dict[str, Any]:
+    """`palmar region CASE --compare A,B --json`."""
+    return {
+        "regions": {each.model.value: region_record(each) for each in result.regions},
+        "differences": [
+            {
+                "promised_by": each.promised_by.value,
+                "denied_by": each.denied_by.value,
+                "area_m2": float(each.where.area),
+                "where": coordinates(each.where),
+                "start_m": list(each.start),
+                "outcome": each.outcome.value,
+                "end_m": list(each.end),
+            }
+            for each in result.differences
+        ],
+    }
+
+
+def _simulated(region: Region, certain: MultiPolygon) -> dict[str, Any]:
+    return {
+        "certain": coordinates(certain),
+        "certain_area_m2": float(certain.area),
+        "theta_rad": list(region.orientations or ()),
+        "spacing_m": region.spacing,
     }
 
 

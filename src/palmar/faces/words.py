@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from palmar.mechanics.closure.sizing import Dimension
 from palmar.models.case import Case
 from palmar.models.closure import Closure
@@ -66,11 +68,21 @@ def region_rows(region: Region) -> list[Row]:
     return [
         ("area of the object's centre", f"{1e4 * region.area:.4g} cm2"),
         ("allowed position error", f"{1e3 * circle.radius:.1f} mm about ({x:.1f}, {y:.1f}) mm"),
+        *_certain_rows(region),
         ("hold at the end", region.closure.value),
         ("model", region.model.value),
         ("guarantee", f"{region.guarantee.value}: {region.guarantee.meaning}"),
         ("curves flattened within", f"{1e3 * region.flattening:.2g} mm"),
     ]
+
+
+def _certain_rows(region: Region) -> list[Row]:
+    """The part of a sampled region that is certain, and the orientations it is for."""
+    if region.certain is None:
+        return []
+    rows: list[Row] = [("of it certain", f"{1e4 * region.certain.area:.4g} cm2, enclosed before it is touched")]
+    low, high = (math.degrees(each) for each in region.orientations or (0.0, 0.0))
+    return [*rows, ("orientation", f"{low:.4g} deg" if low == high else f"every one from {low:.4g} to {high:.4g} deg")]
 
 
 def sizing_line(result: Sizing) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from enum import Enum
 from itertools import product
 from typing import Annotated, Any
@@ -79,10 +79,14 @@ class Case(Value):
     def corners(self) -> Iterator[Case]:
         """Every combination of the ranges' ends, as cases without ranges (just this case if it has none)."""
         for ends in product(*((each.low, each.high) for each in self.ranges)):
-            data: Any = self.model_dump(exclude={"ranges"})
-            for each, end in zip(self.ranges, ends, strict=True):
-                data = _with(data, each.place, end)
-            yield Case.model_validate(data)
+            yield self.settled(ends)
+
+    def settled(self, values: Sequence[float]) -> Case:
+        """The case without ranges, its numbers that have one set to these values (SI, in the order of ``ranges``)."""
+        data: Any = self.model_dump(exclude={"ranges"})
+        for each, value in zip(self.ranges, values, strict=True):
+            data = _with(data, each.place, value)
+        return Case.model_validate(data)
 
 
 def _with(data: Any, place: tuple[str | int, ...], value: float) -> Any:

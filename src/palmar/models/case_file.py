@@ -93,6 +93,19 @@ def _text(path: Path) -> str:
         raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
 
 
+def with_friction(case: Case, text: str, where: str) -> Case:
+    """The case with another friction of the contacts, a number or a range as in a file; raises InputError."""
+    try:
+        value: float | str = float(text)
+    except ValueError:
+        value = text.strip()
+    ranges = [each for each in case.ranges if each.place != ("contact", "friction")]
+    read = _read_section({"contact": {"friction": value}}, "contact", where, ranges)
+    assert isinstance(read, Contact)
+    contact = case.contact.model_copy(update={"friction": read.friction})
+    return case.model_copy(update={"contact": contact, "ranges": tuple(ranges)})
+
+
 def _read_section(raw: dict[str, Any], section: str, name: str, ranges: list[Range]) -> Value:
     table = raw[section]
     where = f"{name}: {section}"

@@ -9,7 +9,8 @@ from pydantic import Field, field_validator
 from palmar.geometry.polygon import checked_convex
 from palmar.models.quantity import Length, Point, Real, Unit, Value
 
-MOST_VERTICES = 10_000
+MOST_VERTICES = 2_000
+"""A simulation of so many takes some seconds; the time grows with the square of their number."""
 
 Mass = Annotated[Real, Field(gt=0.0, le=1e9), Unit.KILOGRAM]
 

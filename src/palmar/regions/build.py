@@ -18,13 +18,21 @@ FLATTENING = 1e-5
 """Default flattening error of curves, as a share of the finger's length."""
 
 
-def build_region(case: Case, model: Model = Model.EXACT, closure: Closure = Closure.FRICTIONAL) -> Region:
-    """The region of the case's motion; raises NotCoveredError where the model does not cover the case."""
+def build_region(
+    case: Case,
+    model: Model = Model.EXACT,
+    closure: Closure = Closure.FRICTIONAL,
+    orientations: tuple[float, float] | None = None,
+) -> Region:
+    """The region of the case's motion; raises NotCoveredError where the model does not cover the case.
+
+    ``orientations``: first and last (rad) at which a polygon is to be caught, else that of the case's start.
+    """
     if model is Model.PUBLISHED:
         return published_region(case, closure)
     from palmar.regions.exact import exact_region
 
-    return exact_region(case, closure)
+    return exact_region(case, closure, orientations=orientations)
 
 
 def published_region(case: Case, closure: Closure = Closure.FRICTIONAL) -> Region:

@@ -62,6 +62,16 @@ class ExactSets:
 
 
 @dataclass(frozen=True)
+class ExactSides:
+    """Inner and outer side of the right half (m), the bound (m) of their distance from the true boundary, and ``ways``."""
+
+    inner: BaseGeometry
+    outer: BaseGeometry
+    flattening: float
+    ways: tuple[tuple[float, float | None], ...]
+
+
+@dataclass(frozen=True)
 class _Closing:
     """A hand, its tables and its friction angle."""
 
@@ -72,15 +82,23 @@ class _Closing:
 
 def exact_sets(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSets:
     """The regions of one hand and disk, boundaries flattened to about ``tolerance`` (m): inner and outer side."""
+    sides = exact_sides(hand, tables, tolerance)
+    if sides.inner.is_empty:
+        return ExactSets(EMPTY, with_mirror_image(sides.outer), EMPTY, EMPTY, sides.flattening, sides.ways)
+    centre = with_mirror_image(sides.inner)
+    whole, grown_bound = grown(centre, hand.radius, tolerance)
+    contact = with_mirror_image(_contacts(hand, sides.inner))
+    flattening = max(sides.flattening, grown_bound)
+    return ExactSets(centre, with_mirror_image(sides.outer), contact, whole, flattening, sides.ways)
+
+
+def exact_sides(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSides:
+    """The right half of the centre region, inner and outer side, which is all that decides about a start."""
     closing = _Closing(hand, tables, atan(hand.friction))
     ways = caught_ways(closing)
     if not ways:
-        return ExactSets(EMPTY, EMPTY, EMPTY, EMPTY, 0.0, ())
-    inner, outer, flattening = _halves(closing, ways, tolerance)
-    centre = with_mirror_image(inner)
-    whole, grown_bound = grown(centre, hand.radius, tolerance)
-    contact = with_mirror_image(_contacts(closing, inner))
-    return ExactSets(centre, with_mirror_image(outer), contact, whole, max(flattening, grown_bound), ways)
+        return ExactSides(EMPTY, EMPTY, 0.0, ())
+    return ExactSides(*_halves(closing, ways, tolerance), ways)
 
 
 def caught_ways(closing: _Closing) -> tuple[tuple[float, float | None], ...]:
@@ -202,9 +220,8 @@ def _untouched(closing: _Closing) -> list[tuple[BaseGeometry, bool]]:
     ]
 
 
-def _contacts(closing: _Closing, half: BaseGeometry) -> MultiPolygon:
+def _contacts(hand: ClosingHand, half: BaseGeometry) -> MultiPolygon:
     """First contact points on the right finger for the centres of a right half."""
-    hand = closing.hand
     pieces = []
     for part in areal(half).geoms:
         ring = shapely.get_coordinates(shapely.segmentize(part.exterior, 0.02 * hand.length))

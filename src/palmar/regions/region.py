@@ -41,6 +41,12 @@ class Region:
     reason: str | None = None
     notes: tuple[str, ...] = ()
     outer: MultiPolygon | None = None
+    certain: MultiPolygon | None = None
+    """Beside a sampled region: the part that is caught for certain, whatever friction and pressure."""
+    orientations: tuple[float, float] | None = None
+    """First and last orientation (rad) of the object for which the region holds; None: any."""
+    spacing: float | None = None
+    """Of the simulated starts (m)."""
 
     @property
     def area(self) -> float:

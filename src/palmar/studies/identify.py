@@ -23,10 +23,11 @@ from palmar.errors import InputError
 from palmar.geometry.polygon import area_centroid
 from palmar.mechanics.pushing.pressure_cells import PressureShape, disk_cells, polygon_cells, shaped
 from palmar.mechanics.pushing.push import Pusher, push
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.mechanics.pushing.slider import Slider, pressed_slider
 from palmar.models.objects import Disk, Object
 from palmar.models.support import Support
-from palmar.studies.pushes import RecordedPushes, slider_of, wrapped
+from palmar.studies.pushes import RecordedPushes, wrapped
 from palmar.studies.registration import Registration, register
 
 Floats = NDArray[np.float64]
@@ -77,7 +78,10 @@ def split(count: int, share: float, seed: int) -> tuple[NDArray[np.int_], NDArra
 
 
 def identify(thing: Object, pusher_radius: float, recorded: RecordedPushes, *, registered: bool = True) -> Identified:
-    """Fit to all the pushes given, which must have recorded ends; raises InputError if there are too few."""
+    """Fit to all the pushes given, which must have recorded ends.
+
+    Raises InputError if there are too few, or if none of them moves the object.
+    """
     if recorded.ends is None or len(recorded) < FEWEST_PUSHES:
         received = "none" if recorded.ends is None else str(len(recorded))
         raise InputError(
@@ -88,6 +92,8 @@ def identify(thing: Object, pusher_radius: float, recorded: RecordedPushes, *, r
     fit = _Fit(thing, pusher_radius, recorded, offsets, plain.surface.length)
     start = np.zeros(len(NAMES))
     start[0] = FRICTION_START
+    if float(np.abs(fit.poses(start) - recorded.starts).max()) < FINE:
+        raise InputError("recorded pushes", None, "none moves the object, so they show neither friction nor pressure")
     rough = fit.solve(start, FIRST_SCALE)
     scale = max(float(np.median(np.abs(fit.residuals(rough.x)))) / 0.6745, FINE)
     return fit.report(fit.solve(rough.x, scale).x, scale)
@@ -126,13 +132,16 @@ class _Fit:
             cells = polygon_cells(core, shape.exponent, RINGS, AROUND, about)
         return pressed_slider(core, rounding, shaped(cells, shape, 1.5 * self.length), about)
 
-    def residuals(self, numbers: Floats) -> Floats:
-        """(2 N + N,) in m: errors of position, then of angle times the characteristic length."""
+    def poses(self, numbers: Floats) -> Floats:
+        """End poses (N, 3) of the object's frame."""
         starts, paths = self.offsets.apply(self.recorded.starts, self.recorded.paths)
         pusher = Pusher(self.pusher_radius, float(numbers[0]))
-        poses = self.offsets.back(push(self.slider(numbers), pusher, starts, paths, FINE).poses)
+        return self.offsets.back(push(self.slider(numbers), pusher, starts, paths, FINE).poses)
+
+    def residuals(self, numbers: Floats) -> Floats:
+        """(2 N + N,) in m: errors of position, then of angle times the characteristic length."""
         assert self.recorded.ends is not None
-        apart = poses - self.recorded.ends
+        apart = self.poses(numbers) - self.recorded.ends
         return np.concatenate((apart[:, 0], apart[:, 1], self.length * wrapped(apart[:, 2])))
 
     def derivatives(self, numbers: Floats) -> Floats:

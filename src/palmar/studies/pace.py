@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon
 
 from palmar.errors import NotCoveredError
-from palmar.mechanics.pushing.closing_case import closing_hand, pressure_surface
+from palmar.mechanics.pushing.closing_case import closing_hand
 from palmar.mechanics.pushing.closing_tables import build_tables
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
@@ -50,10 +51,8 @@ def pace(case: Case, region: MultiPolygon) -> Pace:
     """Follow starts in and around the region; raises NotCoveredError where the event-to-event kernel does not apply."""
     if not covered(case) or not isinstance(case.object, Disk):
         raise NotCoveredError("the pace is found for disks pressed about their centre")
-    hand, surface = (
-        closing_hand(case.hand, case.object.radius, case.contact.friction),
-        pressure_surface(case.object, case.support),
-    )
+    hand = closing_hand(case.hand, case.object.radius, case.contact.friction)
+    surface = slider_of(case.object, case.support).surface
     world = TableWorld(hand, surface, build_tables(hand, surface, spin=False))
     within = grid(region, STARTS)[0]
     outline = shapely.get_coordinates(region.boundary)

@@ -18,7 +18,7 @@ from palmar.models.outcome import Outcome
 from palmar.studies.simulate import simulate_starts
 
 Floats = NDArray[np.float64]
-WAYS, RAYS, STOPS, HALVINGS = 8, 36, 12, 6
+WAYS, RAYS, STOPS, HALVINGS = 8, 36, 12, 9
 INNERMOST = 0.25
 """Rays are followed from this share of the allowed error outwards."""
 

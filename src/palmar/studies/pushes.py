@@ -17,13 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.errors import InputError
-from palmar.geometry.polygon import area_centroid
-from palmar.mechanics.pushing.pressure_cells import PRESSURE_EXPONENT
 from palmar.mechanics.pushing.push import Pushed, Pusher, push
-from palmar.mechanics.pushing.slider import Slider, disk_slider, polygon_slider
-from palmar.models.objects import Disk, Object
+from palmar.mechanics.pushing.slider import Slider
 from palmar.models.quantity import LARGEST_LENGTH
-from palmar.models.support import Support
 
 Floats = NDArray[np.float64]
 BEFORE = ("x0_m", "y0_m", "theta0_rad")
@@ -94,14 +90,6 @@ def read_pushes(path: Path) -> RecordedPushes:
         shapes.append("" if shape is None else row[shape].strip())
     ends = values[:, 7:].copy() if with_ends else None
     return RecordedPushes(tuple(shapes), values[:, :3].copy(), ends, values[:, 3:7].copy())
-
-
-def slider_of(thing: Object, support: Support) -> Slider:
-    """The object on its support: pressure as the support says, about the area centroid plus the given offset."""
-    exponent, offset = PRESSURE_EXPONENT[support.pressure], support.pressure_centre
-    if isinstance(thing, Disk):
-        return disk_slider(thing.radius, exponent, offset)
-    return polygon_slider(thing.vertices, area_centroid(thing.vertices), exponent, offset)
 
 
 def predict(slider: Slider, pusher: Pusher, recorded: RecordedPushes) -> Pushed:

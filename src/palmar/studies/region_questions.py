@@ -10,8 +10,9 @@ from shapely.geometry.base import BaseGeometry
 from palmar.errors import NotCoveredError
 from palmar.models.case import Case
 from palmar.models.closure import Closure
+from palmar.models.guarantee import Guarantee
 from palmar.models.objects import Disk
-from palmar.regions.exact import with_lowest_friction
+from palmar.regions.exact import settle
 from palmar.regions.region import Model, Region
 from palmar.studies.capture import Capture, Pair, PoseError
 from palmar.studies.final_angles import FinalAngles, final_angles
@@ -53,7 +54,7 @@ def answers(case: Case, region: Region | None, model: Model, closure: Closure, a
     Raises NotCoveredError for what neither answers.
     """
     at = asked.at if asked.at is not None else case.start.at
-    plain = with_lowest_friction(case, closure)
+    plain = settle(case, closure)
     ends = _ends(plain, region, asked, at) if asked.ends else None
     angles = final_angles(plain, ends) if ends is not None and isinstance(case.object, Disk) else None
     opened, unopened = _opened(case, region, model, closure, asked, at)
@@ -68,8 +69,8 @@ def _opened(
     """The smallest safe opening, or why it is not known."""
     if asked.uncertainty is None:
         return None, ()
-    if region is None:
-        return None, ("the smallest safe opening: it takes a region",)
+    if region is None or region.guarantee is Guarantee.SAMPLED:
+        return None, ("the smallest safe opening: it takes a region in closed form",)
     from palmar.studies.pre_opening import pre_opening
 
     return pre_opening(case, asked.uncertainty, at, model, closure), ()
@@ -78,7 +79,8 @@ def _opened(
 def _capture(case: Case, region: Region | None, asked: Questions, at: Pair) -> Capture | None:
     if asked.error is None:
         return None
-    if region is not None:
+    turns = asked.error.sigma_theta > 0.0 and not isinstance(case.object, Disk)
+    if region is not None and not turns:
         from palmar.studies.capture import capture_from_region
 
         return capture_from_region(region, asked.error, at)

@@ -12,7 +12,7 @@ from palmar.mechanics.pushing.closing import Ends
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
 from palmar.worlds.planar.events import Event, events
-from palmar.worlds.planar.table import TableWorld, Trace, covered, table_world, trace
+from palmar.worlds.planar.table import Trace, covered, table_world, trace
 
 
 @dataclass(frozen=True)
@@ -60,24 +60,41 @@ def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
 
         return stepping_world(case).ends(places)
     ends = table_world(case).ends(places[:, :2])
-    poses = ends.poses.copy()
+    codes, poses, fingers = ends.codes.copy(), ends.poses.copy(), ends.fingers.copy()
     poses[:, 2] += places[:, 2]
-    return Ends(ends.codes, poses, ends.fingers)
+    left = np.flatnonzero(codes == Outcome.UNDECIDED.code)
+    if len(left):
+        from palmar.worlds.planar.stepping import stepping_world
+
+        rest = stepping_world(case).ends(places[left])
+        codes[left], poses[left], fingers[left] = rest.codes, rest.poses, rest.fingers
+    return Ends(codes, poses, fingers)
+
+
+def _in_steps(case: Case, place: NDArray[np.float64]) -> bool:
+    """Whether a start is for the stepping kernel: the case, or a start that the event-to-event kernel leaves open."""
+    if not covered(case):
+        return True
+    return bool(table_world(case).ends(place[None, :2]).codes[0] == Outcome.UNDECIDED.code)
 
 
 def _events(case: Case, place: NDArray[np.float64], outcome: Outcome) -> tuple[Event, ...]:
     x, y, theta = (float(each) for each in place)
-    if not covered(case):
+    if _in_steps(case, place):
         from palmar.worlds.planar.stepping import stepping_world
 
         return stepping_world(case).events((x, y, theta), outcome.value)
     return events(table_world(case), (x, y), outcome.value)
 
 
-def film(case: Case, start: tuple[float, float], frames: int) -> tuple[TableWorld, Trace]:
-    """The world and the poses of one start at equal steps of time."""
-    world = table_world(case)
-    return world, trace(world, start, frames)
+def film(case: Case, start: tuple[float, float, float], frames: int) -> Trace:
+    """The poses of one valid start at equal steps of the closing angle."""
+    if _in_steps(case, np.array(start)):
+        from palmar.worlds.planar.stepping import stepping_world
+
+        return stepping_world(case).trace(start, frames)
+    whole = trace(table_world(case), start[:2], frames)
+    return Trace(whole.psi, whole.poses + np.array([0.0, 0.0, start[2]]), whole.fingers)
 
 
 def _places(case: Case, starts: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -9,8 +9,11 @@ from hypothesis import strategies as st
 
 from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii
 from palmar.mechanics.pushing.closing import close_disk
+from palmar.mechanics.pushing.closing_steps import carry_all
 from palmar.mechanics.pushing.closing_tables import TIP_NODES, ClosingHand, build_tables
+from palmar.mechanics.pushing.hand_pose import hand_motion
 from palmar.mechanics.pushing.limit_surface import disk_surface, ellipsoid_surface
+from palmar.mechanics.pushing.polygon_contacts import disk_body
 from palmar.models.outcome import Outcome
 
 MU35 = tan(radians(35.0))
@@ -170,6 +173,19 @@ def test_stopping_earlier_shows_the_way_there(friction):
         codes = close_disk(hand, SURFACE, starts, tables).codes
         free = np.isin(codes, [Outcome.ESCAPED.code])
         assert gap[:, free].min() > -1e-9
+
+
+@pytest.mark.parametrize(("half_palm", "radius", "friction"), [(0.6, 0.09, 0.3), (1.0, 0.25, 0.5), (0.5, 0.2, 0.9)])
+def test_a_disk_turns_up_to_the_wedge_between_finger_and_palm(half_palm, radius, friction):
+    hand = ClosingHand(half_palm, 1.0, 0.0, radius, friction, 0.0, np.pi)
+    surface, motion = disk_surface(radius), hand_motion(half_palm, [1.0])
+    starts = np.column_stack([np.linspace(0.05, half_palm + 0.3, 60), np.full(60, radius + 0.05)])
+    ends = close_disk(hand, surface, starts)
+    wedged = (ends.codes <= Outcome.FRICTIONAL.code) & (np.abs(ends.poses[:, 1] - radius) < 1e-9)
+    wedged &= np.abs(ends.poses[:, 0]) > 1e-6
+    assert wedged.sum() >= 3
+    _, rival, _ = carry_all(motion, disk_body(radius, friction), starts[wedged], 1e-9)
+    assert np.abs(ends.poses[wedged] - rival[:, :3]).max() < 1e-6
 
 
 def test_odd_starts():

@@ -185,3 +185,19 @@ def test_leaned_and_shaped_pressure():
     ends = shaped(disk_cells(0.05), PressureShape(stretch=3.0), 0.05)
     assert ends[1].sum() == pytest.approx(1.0)
     assert ends[1] @ ends[0][:, 0] ** 2 > 3.0 * (ends[1] @ ends[0][:, 1] ** 2)
+
+
+@pytest.mark.parametrize("part", [0.0, 0.5, 0.9, 0.93])
+def test_pressure_leans_nearly_to_the_rim(part):
+    for angle in (0.0, 0.1, 2.0):
+        goal = part * 0.05 * np.array([np.cos(angle), np.sin(angle)])
+        points, weights, _ = leaned(disk_cells(0.05, 0.0, 8, 32), goal)
+        assert weights @ points == pytest.approx(goal, abs=1e-12)
+        assert weights.min() >= 0.0
+
+
+@pytest.mark.parametrize("part", [0.96, 1.0, 2.0, 1e6])
+def test_a_centre_outside_the_cells_is_refused(part):
+    for cells in (disk_cells(0.05, 0.0, 8, 32), polygon_cells(QUAD)):
+        with pytest.raises(ValueError, match="too far out"):
+            leaned(cells, (part * 0.05, 0.0))

@@ -11,7 +11,7 @@ from cyclopts import App, Parameter
 
 from palmar.errors import InputError
 from palmar.faces.cli.printing import AsJson, CaseName, number, progress, show
-from palmar.faces.cli.push import Radius, Shape, mean_words, of_shape, on_a_table, pusher_radius, resting
+from palmar.faces.cli.push import Radius, Shape, mean_words, of_shape, on_a_table, pusher_radius
 from palmar.faces.cli.texts import table, titled
 from palmar.models.case import Case
 from palmar.models.shipped import open_case
@@ -59,6 +59,7 @@ def identify(
 def _trial(case: Case, radius: float, recorded: RecordedPushes, share: float, seed: int) -> Trial:
     from palmar.faces.push_records import Trial
     from palmar.mechanics.pushing.push import Pusher
+    from palmar.mechanics.pushing.resting import slider_of
     from palmar.studies.identify import identify as fitted
     from palmar.studies.identify import split
     from palmar.studies.pushes import end_errors, predict
@@ -67,14 +68,11 @@ def _trial(case: Case, radius: float, recorded: RecordedPushes, share: float, se
     if recorded.ends is not None and not len(test):
         raise InputError("--share", f"{share:g}", f"leaves none of the {len(recorded)} pushes to test on")
     progress(f"fit on {len(fit)} of {len(recorded)} pushes")
-    try:
-        found = fitted(case.object, radius, recorded.rows(fit))
-    except np.linalg.LinAlgError:
-        raise InputError("--pushes", None, "the pushes show neither friction nor pressure: does any move it?") from None
+    found = fitted(case.object, radius, recorded.rows(fit))
     progress(f"test on the other {len(test)}")
     rest = recorded.rows(test)
     assert rest.ends is not None  # else there was nothing to fit to
-    plain = predict(resting(case), Pusher(radius, case.contact.friction), rest)
+    plain = predict(slider_of(case.object, case.support), Pusher(radius, case.contact.friction), rest)
     return Trial(found, end_errors(plain.poses, rest.ends), end_errors(found.predict(rest), rest.ends), share, seed)
 
 

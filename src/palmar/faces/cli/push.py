@@ -53,6 +53,7 @@ def push(
     """Predict the object's pose after each push; with recorded ends in the file, also how far off the prediction is."""
     from palmar.faces.push_records import push_record
     from palmar.mechanics.pushing.push import Pusher
+    from palmar.mechanics.pushing.resting import slider_of
     from palmar.studies.pushes import end_errors, read_pushes
 
     if out is not None and out.suffix.lower() != ".csv":
@@ -61,7 +62,7 @@ def push(
     name, given = open_case(case)
     on_a_table(given)
     recorded = of_shape(read_pushes(paths), shape)
-    pushed = _predicted(resting(given), Pusher(radius, given.contact.friction), recorded)
+    pushed = _predicted(slider_of(given.object, given.support), Pusher(radius, given.contact.friction), recorded)
     errors = None if recorded.ends is None or not len(recorded) else end_errors(pushed.poses, recorded.ends)
     if out is not None:
         text = _csv(recorded, pushed)
@@ -84,18 +85,6 @@ def on_a_table(case: Case) -> None:
         raise NotCoveredError('support.kind = "free": pushes are for objects on a table')
     if case.ranges:
         raise NotCoveredError("pushes take plain numbers, not ranges")
-
-
-def resting(case: Case) -> Slider:
-    """The case's object on its table; raises InputError where no pressure under it has the centre that is given."""
-    from palmar.studies.pushes import slider_of
-
-    with np.errstate(invalid="ignore", over="ignore"):
-        slider = slider_of(case.object, case.support)
-    if not np.isfinite(slider.centre).all():
-        x, y = case.support.pressure_centre
-        raise InputError("support.pressure_centre_mm", f"[{1e3 * x:g}, {1e3 * y:g}]", "must lie well inside the object")
-    return slider
 
 
 def of_shape(recorded: RecordedPushes, shape: str | None) -> RecordedPushes:

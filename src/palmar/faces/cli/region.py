@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 from enum import Enum
-from math import radians
 from pathlib import Path
 from typing import Annotated, Any
 
 from cyclopts import App, Parameter
 
 from palmar.errors import InputError, NotCoveredError
-from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, numbers, show
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
+from palmar.faces.cli.region_options import models, orientations, questions
 from palmar.faces.cli.region_texts import answers_text
-from palmar.faces.cli.texts import region_text, titled
-from palmar.faces.records import region_record
+from palmar.faces.cli.texts import comparison_text, region_text, titled
+from palmar.faces.records import comparison_record, region_record
 from palmar.faces.region_records import answers_record
 from palmar.models.case import Case
+from palmar.models.case_file import with_friction
 from palmar.models.closure import Closure
-from palmar.models.quantity import LARGEST_LENGTH
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
 from palmar.regions.region import Model, Region
-from palmar.studies.capture import PoseError
 from palmar.studies.region_questions import Answers, Questions, answers
 
 app = App(name="region")
@@ -42,21 +41,18 @@ def region(
     *,
     model: Annotated[Model, Parameter(help="How the region is obtained.")] = Model.EXACT,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
+    friction: Annotated[str | None, Parameter(help="Instead of the case's: a number, or a range LOW..HIGH.")] = None,
+    theta: Annotated[Text, Parameter(help="Orientations of a polygon: DEG, LOW..HIGH or all.")] = None,
+    compare: Annotated[str | None, Parameter(help="Two models side by side, as exact,published.")] = None,
     error: Annotated[
-        Text,
-        Parameter(
-            help="SX_MM,SY_MM[,STHETA_DEG]: standard deviations of a Gaussian pose error; adds the capture chance."
-        ),
+        Text, Parameter(help="SX_MM,SY_MM[,STHETA_DEG] of a Gaussian pose error: adds the chance of a catch.")
     ] = None,
     correlation: Annotated[Text, Parameter(help="Of the errors along x and y, between -1 and 1.")] = None,
     uncertainty: Annotated[
-        Text,
-        Parameter(help="disk:R_MM, box:W_MM,H_MM or a GeoJSON file: position errors; adds the smallest safe opening."),
+        Text, Parameter(help="Position errors disk:R_MM, box:W_MM,H_MM, FILE.geojson: adds the smallest safe opening.")
     ] = None,
     at: Annotated[Text, Parameter(help="X_MM,Y_MM: the nominal place, else the case's start.")] = None,
-    ends: Annotated[
-        bool, Parameter(negative="", help="Add where the object ends and what the fingers then show.")
-    ] = False,
+    ends: Annotated[bool, Parameter(negative="", help="Add where it ends and what the fingers then show.")] = False,
     pressure_offset: Annotated[Text, Parameter(help="MM: add what an off-centre pressure costs.")] = None,
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
@@ -71,18 +67,18 @@ def region(
 
         known_ending(out)
     name, given = open_case(case)
-    asked = _questions(error, correlation, uncertainty, at, ends, pressure_offset)
-    result, uncovered = _built(given, model, closure, asked)
+    if friction is not None:
+        given = with_friction(given, friction, "--friction")
+    if compare is not None:
+        _compare(name, given, models(compare), closure, out, json)
+        return
+    asked = questions(error, correlation, uncertainty, at, ends, pressure_offset)
+    result, uncovered = _built(given, model, closure, orientations(theta), asked)
     found = answers(given, result, model, closure, asked)
     from_object = seen_from is Seen.OBJECT
     if result is None:
-        record: dict[str, Any] = {
-            "model": model.value,
-            "closure": closure.value,
-            "guarantee": "sampled",
-            "centre": None,
-        }
-        record["reason"], text, caught = uncovered, f"No region: {uncovered}.", _any_caught(found)
+        record: dict[str, Any] = {"model": model.value, "closure": closure.value, "centre": None, "reason": uncovered}
+        text, caught = f"No region: {uncovered}.", _any_caught(found)
     else:
         record, text = region_record(result, from_object=from_object), region_text(result)
         caught = not result.centre.is_empty
@@ -96,10 +92,12 @@ def region(
     answer(caught, check)
 
 
-def _built(case: Case, model: Model, closure: Closure, asked: Questions) -> tuple[Region | None, str]:
+def _built(
+    case: Case, model: Model, closure: Closure, turns: tuple[float, float] | None, asked: Questions
+) -> tuple[Region | None, str]:
     """The region, or why there is none where the questions can be answered without."""
     try:
-        return build_region(case, model, closure), ""
+        return build_region(case, model, closure, turns), ""
     except NotCoveredError as error:
         by_starts = asked.error is not None or (asked.ends and asked.uncertainty is not None)
         if not by_starts:
@@ -107,50 +105,21 @@ def _built(case: Case, model: Model, closure: Closure, asked: Questions) -> tupl
         return None, str(error)
 
 
-def _questions(
-    error: str | None, correlation: str | None, uncertainty: str | None, at: str | None, ends: bool, offset: str | None
-) -> Questions:
-    errors = None
-    if uncertainty is not None:
-        from palmar.faces.cli.uncertainty import parse_uncertainty
-
-        errors = parse_uncertainty(uncertainty)
-    if correlation is not None and error is None:
-        raise InputError("--correlation", None, "needs --error")
-    return Questions(
-        error=None if error is None else _pose_error(error, correlation),
-        uncertainty=errors,
-        ends=ends,
-        offset=None
-        if offset is None
-        else 1e-3 * _positive([number(offset, "--pressure-offset")], "--pressure-offset")[0],
-        at=None if at is None else _place(at),
-    )
-
-
-def _pose_error(text: str, correlation: str | None) -> PoseError:
-    values = numbers(text, "--error", (2, 3), "SX_MM,SY_MM[,STHETA_DEG]")
-    x, y = _positive(values[:2], "--error")
-    turn = values[2] if len(values) == 3 else 0.0
-    if not 0.0 <= turn <= 180.0:
-        raise InputError("--error", repr(text[:60]), "the angle's standard deviation must be between 0 and 180 deg")
-    shared = 0.0 if correlation is None else number(correlation, "--correlation")
-    if not abs(shared) <= 0.999999:
-        raise InputError("--correlation", repr(str(correlation)[:60]), "must be above -1 and below 1")
-    return PoseError((1e-3 * x, 1e-3 * y), shared, radians(turn))
-
-
-def _positive(values: list[float], option: str) -> list[float]:
-    if not all(1e-6 <= value <= 1e3 * LARGEST_LENGTH for value in values):
-        raise InputError(option, ",".join(f"{each:g}" for each in values), "lengths must be 0.000001 to 1000000 mm")
-    return values
-
-
-def _place(text: str) -> tuple[float, float]:
-    x, y = numbers(text, "--at", (2,), "X_MM,Y_MM")
-    return 1e-3 * x, 1e-3 * y
-
-
 def _any_caught(found: Answers) -> bool:
     by_chance = found.capture is not None and found.capture.nominal.probability > 0.0
     return by_chance or (found.ends is not None and found.ends.caught > 0.0)
+
+
+def _compare(name: str, case: Case, sides: list[Model], closure: Closure, out: Path | None, as_json: bool) -> None:
+    from palmar.studies.compare import compare_regions
+
+    if out is not None and out.suffix.lower() not in (".svg", ".pdf", ".png"):
+        raise InputError("--out", str(out), "a comparison is drawn as svg, pdf or png")
+    result = compare_regions(case, sides, closure)
+    if out is not None:
+        from palmar.faces.plots.compare_picture import compare_picture
+        from palmar.faces.plots.style import save
+
+        save(compare_picture(case, result), out)
+    written = [f"Written: {out}"] if out is not None else []
+    show(titled(name, case, comparison_text(result), *written), comparison_record(result), as_json)

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, slope_row
 from palmar.models.case import Case
 from palmar.regions.region import Region
 from palmar.studies.closure import ClosureAnswer
+
+if TYPE_CHECKING:
+    from palmar.studies.compare import Comparison
 
 
 def closure_text(case: Case, result: ClosureAnswer) -> str:
@@ -28,6 +32,20 @@ def region_text(region: Region) -> str:
     else:
         lines = [table(region_rows(region))]
     return "\n".join(lines + notes(region.notes))
+
+
+def comparison_text(result: Comparison) -> str:
+    """The answer of `palmar region CASE --compare A,B`."""
+    rows = [(each.model.value, f"{1e4 * each.area:.4g} cm2", each.guarantee.meaning) for each in result.regions]
+    lines = [table([("model", "area of the centre region", "guarantee"), *rows]), ""]
+    for each in result.differences:
+        x, y = (1e3 * value for value in each.start)
+        verb = "promises" if not each.outcome.caught else "finds"
+        lines.append(
+            f"{each.promised_by.value} {verb} {1e4 * each.where.area:.4g} cm2 that {each.denied_by.value} does not;"
+            f" from ({x:.2f}, {y:.2f}) mm, simulated: {each.outcome.value}."
+        )
+    return "\n".join(lines if result.differences else [*lines, "They do not differ."])
 
 
 def titled(name: str, case: Case, *parts: str) -> str:

@@ -19,8 +19,6 @@ from palmar.models.objects import Disk
 
 PACES = (0.01, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0)
 """Speeds to choose from, besides the film's own."""
-MOST_CONTACTS = 5
-"""The palm, and link and tip of both fingers."""
 SIDE, BELOW, ABOVE = 0.07, 0.07, 0.03
 """Free room around the motion, as shares of the drawing's width; tick labels stand there."""
 
@@ -34,6 +32,7 @@ def film_page(film: Scene) -> str:
         verdict=escape(f"{film.verdict}."),
         mood="held" if film.outcome.caught else "lost",
         drawing=_drawing(film),
+        place=film.place_name,
         duration=repr(film.duration),
         marks="".join(f'<option value="{time!r}"></option>' for time, _ in film.events),
         paces=_paces(film.pace),
@@ -88,7 +87,7 @@ def _drawing(film: Scene) -> str:
         f'<g id="object" {at}>{_outline(film, "object")}{_mark(film)}</g>',
         '<polyline id="gone" class="gone" points=""/>',
         _fingers(film),
-        '<circle class="contact" data-r="4.5" r="0" style="display: none"/>' * MOST_CONTACTS,
+        '<circle class="contact" data-r="4.5" r="0" style="display: none"/>' * max(map(len, film.contacts)),
         "</svg>",
     ]
     return "\n".join(parts)
@@ -119,9 +118,10 @@ def _outline(film: Scene, name: str) -> str:
 
 
 def _mark(film: Scene) -> str:
-    """A line from the origin of the object's frame, which shows its turn."""
-    line = f'<line class="mark" x2="{_mm(film.mark)}"/>'
-    return f'{line}<circle class="dot" cx="{_mm(0.8 * film.mark)}" data-r="4" r="0"/>'
+    """A line along the x axis of the object's frame, which shows its turn."""
+    (x, y), far = film.mark
+    line = f'<line class="mark" x1="{_mm(x)}" y1="{_mm(-y)}" x2="{_mm(x + far)}" y2="{_mm(-y)}"/>'
+    return f'{line}<circle class="dot" cx="{_mm(x + 0.8 * far)}" cy="{_mm(-y)}" data-r="4" r="0"/>'
 
 
 def _fingers(film: Scene) -> str:

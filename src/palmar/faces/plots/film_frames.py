@@ -58,7 +58,7 @@ def frames(film: Scene, times: Sequence[float]) -> Iterator[NDArray[np.uint8]]:
         canvas.restore_region(paper)
         moving.draw(time)
         x, y, turn = film.at(time)[0]
-        clock.set_text(f"t = {time:.2f} s{pace}    centre {place_words(x, y)}    turned {angle_words(turn)}")
+        clock.set_text(f"t = {time:.2f} s{pace}    {film.place_name} {place_words(x, y)}    turned {angle_words(turn)}")
         event.set_text(_last_event(film, time))
         event.set_color(
             (Role.HELD if film.outcome.caught else Role.LOST).line if time == film.duration else Role.CAPTION.line
@@ -141,9 +141,10 @@ def _made(axes: Axes, draw: Callable[[], object]) -> list[Any]:
 def _object(axes: Axes, film: Scene) -> None:
     """The object about its frame's origin, with a mark that shows its turn."""
     draw_object(axes, film.case.object, (0.0, 0.0), fill=0.85)
-    far = MM * film.mark
-    stroke(axes, [(0.0, 0.0), (far, 0.0)], Role.OBJECT, level=OBJECT_LEVEL + 0.1, width=NORMAL)
-    _dot(axes, (0.8 * far, 0.0), MARK_SIZE, Role.OBJECT, OBJECT_LEVEL + 0.2)
+    (x, y), length = film.mark
+    x, y, far = MM * x, MM * y, MM * length
+    stroke(axes, [(x, y), (x + far, y)], Role.OBJECT, level=OBJECT_LEVEL + 0.1, width=NORMAL)
+    _dot(axes, (x + 0.8 * far, y), MARK_SIZE, Role.OBJECT, OBJECT_LEVEL + 0.2)
 
 
 def _dot(axes: Axes, place: tuple[float, float], size: float, role: Role, level: float) -> Patch:

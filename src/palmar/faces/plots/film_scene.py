@@ -8,20 +8,22 @@ from math import ceil, degrees, floor, log, log10
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.faces.plots.film_contacts import contacts
 from palmar.faces.plots.hand import finger_points
 from palmar.faces.plots.sheet import MM, Extent
+from palmar.geometry.polygon import area_centroid
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
 from palmar.studies.simulate import Simulation, film
 
 Floats = NDArray[np.float64]
+Place = tuple[float, float]
 
 FRAMES = 241
 """Poses over the whole closing motion, a motion that ends earlier has fewer."""
 SHORTEST, LONGEST, MIDDLE = 3.0, 10.0, 6.0
 """A motion that takes between the first two (s) is shown in real time, any other in about the third."""
-SIDES = {"right": 1.0, "left": -1.0}
 
 VERDICTS = {
     Outcome.STRUCTURAL: "Caught: held without friction",
@@ -33,7 +35,7 @@ VERDICTS = {
     Outcome.INVALID: "No start: it overlaps the open hand",
     Outcome.UNDECIDED: "Undecided: the bound on events was reached",
 }
-_DONE = {"touch": "touches", "leave": "leaves", "stall": "stalls"}
+_DONE = {"touch": "touches", "leave": "leaves", "stall": "stalls", "stick": "sticks", "slide": "slides"}
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ class Scene:
     times: Floats
     poses: Floats
     fingers: Floats
-    contacts: tuple[tuple[tuple[float, float], ...], ...]
+    contacts: tuple[tuple[Place, ...], ...]
     events: tuple[tuple[float, str], ...]
     pace: float
 
@@ -59,10 +61,20 @@ class Scene:
         return float(self.times[-1])
 
     @property
-    def mark(self) -> float:
-        """Length (m) of a line from the object's origin that shows its turn."""
+    def place_name(self) -> str:
+        """What the poses' x and y are of."""
+        return "centre" if isinstance(self.case.object, Disk) else "origin of the outline"
+
+    @property
+    def mark(self) -> tuple[Place, float]:
+        """Where a line along the object's x axis that shows its turn begins (m, in its frame), and its length (m)."""
         item = self.case.object
-        return item.radius if isinstance(item, Disk) else 0.6 * float(np.linalg.norm(item.vertices, axis=1).min())
+        if isinstance(item, Disk):
+            return (0.0, 0.0), item.radius
+        middle, corners = area_centroid(item.vertices), np.array(item.vertices)
+        away, along = corners - middle, np.roll(corners, -1, axis=0) - corners
+        heights = np.abs(away[:, 0] * along[:, 1] - away[:, 1] * along[:, 0]) / np.hypot(*along.T)
+        return middle, 0.8 * float(heights.min())
 
     def index(self, time: float) -> int:
         """The last pose that is not later than ``time`` (s)."""
@@ -102,20 +114,19 @@ class Scene:
         return Extent(min(-side, low[0]), min(-hand.half_thickness, low[1]), max(side, high[0]), max(top, high[1]))
 
 
-def scene(case: Case, start: tuple[float, float], result: Simulation) -> Scene:
-    """The motion from ``start`` (m) that ``result`` describes, from time 0 to its last event."""
-    world, whole = film(case, start, FRAMES)
-    first, rate = world.hand.first, case.hand.finger_rate
+def scene(case: Case, start: tuple[float, float, float], result: Simulation) -> Scene:
+    """The motion from ``start`` (m, rad) that ``result`` describes, from time 0 to its last event."""
+    first, rate = case.hand.open, case.hand.finger_rate
     end = result.events[-1][1].psi if result.events else first
-    kept = whole.psi < end - 1e-9
-    theta = result.pose[2] - float(whole.poses[-1, 2])
-    poses = np.vstack((whole.poses[kept] + (0.0, 0.0, theta), result.pose))
-    fingers = np.vstack((whole.fingers[kept], (result.right[0], result.left[0])))
-    if result.outcome is Outcome.INVALID:
-        fingers[:] = first
-    times = np.append(whole.psi[kept], end) - first
+    times, poses, fingers = np.array([0.0]), np.array([result.pose]), np.array([[first, first]])
+    if result.outcome is not Outcome.INVALID:
+        whole = film(case, start, FRAMES)
+        kept = whole.psi < end - 1e-9
+        poses = np.vstack((whole.poses[kept], result.pose))
+        fingers = np.vstack((whole.fingers[kept], (result.right[0], result.left[0])))
+        times = np.append(whole.psi[kept], end) - first
     return Scene(
-        case, result.outcome, times / rate, poses, fingers, _contacts(case, times + first, poses, fingers, result),
+        case, result.outcome, times / rate, poses, fingers, contacts(case, times + first, poses, fingers, result),
         tuple((time, _words(event.kind, event.body)) for time, event in result.events), _pace((end - first) / rate),
     )  # fmt: skip
 
@@ -162,37 +173,3 @@ def _pace(duration: float) -> float:
     rounds = [base * 10.0**power for power in range(10) for base in (1.0, 2.0, 5.0)]
     nice = [*rounds, *(1.0 / each for each in rounds)]
     return min(nice, key=lambda each: abs(log(each * MIDDLE / duration)))
-
-
-def _contacts(
-    case: Case, psi: Floats, poses: Floats, fingers: Floats, result: Simulation
-) -> tuple[tuple[tuple[float, float], ...], ...]:
-    """Where the hand touches a disk at each pose: the events say which parts do, geometry says where."""
-    found: list[list[tuple[float, float]]] = [[] for _ in psi]
-    bodies = dict.fromkeys(event.body for _, event in result.events if event.kind == "touch")
-    for body in bodies if isinstance(case.object, Disk) else ():
-        for k in np.flatnonzero(_touching(body, psi, result)):
-            found[k].append(_foot(case, body, poses[k], fingers[k]))
-    return tuple(tuple(each) for each in found)
-
-
-def _touching(body: str, psi: Floats, result: Simulation) -> NDArray[np.bool_]:
-    flags = np.zeros(len(psi), dtype=np.bool_)
-    for _, event in result.events:
-        if event.body == body and event.kind in ("touch", "leave"):
-            flags[psi >= event.psi - 1e-6] = event.kind == "touch"
-    return flags
-
-
-def _foot(case: Case, body: str, pose: Floats, fingers: Floats) -> tuple[float, float]:
-    """The point of the hand's surface nearest to the disk's centre."""
-    hand, (x, y) = case.hand, pose[:2]
-    name, _, part = body.partition("_")
-    if name not in SIDES:
-        return float(np.clip(x, -hand.half_palm, hand.half_palm)), 0.0
-    base, *_, tip = finger_points(hand, (fingers[0 if name == "right" else 1],), left=name == "left")
-    along = 1.0 if part == "tip" else float(np.clip((pose[:2] - base) @ (tip - base) / hand.finger_length**2, 0.0, 1.0))
-    joint = base + along * (tip - base)
-    apart = np.hypot(x - joint[0], y - joint[1])
-    share = hand.half_thickness / apart if apart > 0.0 else 0.0
-    return float(joint[0] + share * (x - joint[0])), float(joint[1] + share * (y - joint[1]))

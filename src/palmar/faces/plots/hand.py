@@ -116,3 +116,8 @@ def draw_object(
         arm = MARK * per_paper_mm(axes) * np.array([cos(theta), sin(theta)])
         for step in (arm, arm[::-1] * (-1.0, 1.0)):
             stroke(axes, [centre - step, centre + step], role, level=level + 0.1)
+
+
+def object_reach(item: Object) -> float:
+    """Distance (m) of the object's farthest point from its frame's origin."""
+    return item.radius if isinstance(item, Disk) else float(np.linalg.norm(item.vertices, axis=1).max())

@@ -14,7 +14,7 @@ from shapely import MultiPolygon, box
 
 from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
 from palmar.faces.plots.dimensions import dimension, note, radius_dimension, text_fits
-from palmar.faces.plots.hand import draw_hand, draw_object, finger_points
+from palmar.faces.plots.hand import draw_hand, draw_object, finger_points, object_reach
 from palmar.faces.plots.lettering import line_height, millimetres, square_millimetres, wrapped
 from palmar.faces.plots.sheet import MARGIN, MM, Extent, Pad, Room, Sheet, per_paper_mm, sheet
 from palmar.faces.plots.style import FINE, HEADING_SIZE, SMALL_SIZE, TEXT_SIZE, Role
@@ -23,7 +23,7 @@ from palmar.geometry.planar_set import seen_from_object as from_object
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.hand import Hand
-from palmar.models.objects import Disk, Object
+from palmar.models.objects import Disk
 from palmar.regions.region import Region
 
 Place = tuple[float, float]
@@ -31,6 +31,8 @@ Place = tuple[float, float]
 WHOLE = Band(Role.WHOLE, "whole region: all of the object starts inside", 0.0, dashes=(0, (1, 1.2)))
 CENTRE = Band(Role.CENTRE, "centre region: the object's centre starts inside", 1.0)
 CONTACT = Band(Role.CONTACT, "contact region: first contacts lie inside", 2.0, filled=False, dashes=(0, (4, 1.5)))
+OUTER = Band(Role.LOST, "no start beyond this line is caught", 0.5, filled=False, dashes=(0, (2.5, 1.5)))
+CERTAIN = Band(Role.HELD, "certain: enclosed before it is touched", 2.0)
 ERROR = Band(Role.LARGEST, "allowed error: the largest circle in the centre region", 3.0, filled=False)
 PALM = Band(Role.CENTRE, "the middle of the palm starts inside", 1.0)
 PALM_ERROR = replace(ERROR, words="allowed error: the largest circle in that region")
@@ -38,6 +40,8 @@ PALM_ERROR = replace(ERROR, words="allowed error: the largest circle in that reg
 FACTS = 54.0
 """Width (mm) of the column of facts beside each panel."""
 ROOM = Room(Pad(3.0, 11.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, FACTS, 0.0))
+VISIBLE = 1e-3
+"""Error bands below this share of the area are too thin to draw."""
 FAIR = radians(15.0)
 ALONG = radians(50.0)
 
@@ -68,9 +72,7 @@ def region_pictures(
     why nothing is caught.
     """
     scenes = [_scene(case, each, seen_from_object, object_at) for each in regions]
-    bands = [PALM, PALM_ERROR] if seen_from_object else [WHOLE, CENTRE, CONTACT, ERROR]
-    if not any(each.allowed for each in scenes):
-        bands = []
+    bands = _bands_drawn(scenes, PALM_ERROR if seen_from_object else ERROR)
     sides = replace(ROOM.sides, bottom=LEGEND_ROW * ((len(bands) + 1) // 2) + 2.0)
     beside = 3.0 if case.hand.open < FAIR or seen_from_object else 10.0
     room = replace(ROOM, sides=sides, inside=replace(ROOM.inside, left=beside, right=beside))
@@ -79,16 +81,30 @@ def region_pictures(
     extents = [[_extent(case, each)] for each in scenes]
     page = sheet(extents, title=f"{title} for closing to catch it", footer=" ".join(notes), room=room)
     for region, scene, (axes,) in zip(regions, scenes, page.panels, strict=True):
-        _draw(axes, case, scene)
+        theta = case.start.theta if region.orientations is None else region.orientations[0]
+        _draw(axes, case, scene, theta)
         _facts(page, axes, case, region)
     legend(page, (MARGIN, page.box(page.panels[-1][0]).bottom - ROOM.outside.bottom), bands)
     return page.figure
 
 
+def _bands_drawn(scenes: Sequence[_Scene], error: Band) -> list[Band]:
+    """The bands that some scene shows, in the order of the legend."""
+    shown = {band.words: band for scene in scenes for area, band in scene.sets if not area.is_empty}
+    return [*shown.values(), error] if any(each.allowed for each in scenes) else []
+
+
 def _scene(case: Case, region: Region, reversed_view: bool, object_at: Place | None) -> _Scene:
     if not reversed_view:
         at = object_at or _valid_start(region)
-        sets = ((region.whole, WHOLE), (region.centre, CENTRE), (region.contact, CONTACT))
+        outer = region.outer if region.outer is not None and region.band > VISIBLE * region.area else MultiPolygon()
+        sets = (
+            (region.whole, WHOLE),
+            (outer, OUTER),
+            (region.centre, CENTRE),
+            (region.contact, CONTACT),
+            (region.certain or MultiPolygon(), CERTAIN),
+        )
         return _Scene((0.0, 0.0), at, sets, region.allowed_error)
     allowed = region.allowed_error
     turned = None if allowed is None else Circle((-allowed.centre[0], -allowed.centre[1]), allowed.radius)
@@ -116,22 +132,17 @@ def _extent(case: Case, scene: _Scene) -> Extent:
     extent = Extent(x - side, y - hand.half_thickness, x + side, y + top)
     for area, _ in scene.sets:
         extent = extent if area.is_empty else extent.joined(Extent(*area.bounds))
-    size = _size(case.object)
+    size = object_reach(case.object)
     at = scene.object_at or (0.0, size)
     return extent.joined(Extent(at[0] - size, at[1] - size, at[0] + size, at[1] + size))
 
 
-def _size(item: Object) -> float:
-    """Distance (m) of the object's farthest point from its frame's origin."""
-    return item.radius if isinstance(item, Disk) else float(np.linalg.norm(item.vertices, axis=1).max())
-
-
-def _draw(axes: Axes, case: Case, scene: _Scene) -> None:
+def _draw(axes: Axes, case: Case, scene: _Scene, theta: float) -> None:
     _millimetre_ticks(axes)
     for area, band in scene.sets:
         draw_area(axes, area, band)
-    size = _size(case.object)
-    draw_object(axes, case.object, scene.object_at or (0.0, size), case.start.theta, fill=0.6)
+    size = object_reach(case.object)
+    draw_object(axes, case.object, scene.object_at or (0.0, size), theta, fill=0.6)
     draw_hand(axes, case.hand, case.hand.open, at=scene.hand_at)
     if scene.allowed is not None:
         circle = scene.allowed
@@ -180,6 +191,8 @@ def _facts(page: Sheet, axes: Axes, case: Case, region: Region) -> None:
     else:
         facts.append(("allowed error", f"{millimetres(circle.radius)} in every direction", ERROR.role))
         facts.append(("area of the centre region", square_millimetres(region.area), Role.CENTRE))
+        if region.certain is not None:
+            facts.append(("of it certain", square_millimetres(region.certain.area), CERTAIN.role))
     facts.append((f"{region.model.value} model", region.guarantee.meaning, Role.CAPTION))
     for name, value, role in facts:
         if name:

@@ -215,8 +215,15 @@ def _palm(hand: ClosingHand, tables: Tables, alpha: float, psi: float, theta: fl
 
 @compiled
 def _palm_spin(tables: Tables, begin: float, end: float) -> float:
-    scale = (PALM_NODES - 1) / (tables.palm_end - HALF)
-    return between(tables.palm_spin, (end - HALF) * scale) - between(tables.palm_spin, (begin - HALF) * scale)
+    """The disk's turn on the palm from one psi to another; it rests where neither link nor tip moves it."""
+    turn = 0.0
+    for part in range(2):
+        low, high = tables.palm_range[part, 0], tables.palm_range[part, 1]
+        if high > low:
+            scale, values = (PALM_NODES - 1) / (high - low), tables.palm_spin[part]
+            turn += between(values, (min(max(end, low), high) - low) * scale)
+            turn -= between(values, (min(max(begin, low), high) - low) * scale)
+    return turn
 
 
 @compiled

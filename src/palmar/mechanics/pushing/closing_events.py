@@ -42,6 +42,16 @@ def note_modes(at: Bench, count: int) -> None:
 
 
 @compiled
+def note_touches(at: Bench, count: int) -> None:
+    """Log the links that have just come to touch where no motion follows."""
+    for k in range(count):
+        link = link_of(at.active[k])
+        if at.modes[link] == 0:
+            at.modes[link] = 1
+            note(at, TOUCHES, link)
+
+
+@compiled
 def mirror_log(hand: HandMotion, at: Bench) -> None:
     """Exchange right and left in the events."""
     pairs = len(hand.links)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import inf
 
-from palmar.mechanics.pushing.closing_events import STALLS, note
+from palmar.mechanics.pushing.closing_events import STALLS, note, note_touches
 from palmar.mechanics.pushing.closing_motion import (
     FENCE,
     LEFT,
@@ -25,6 +25,7 @@ from palmar.mechanics.pushing.closing_motion import (
     Y,
     continued_twist,
     full_twist,
+    to_object,
     write_contacts,
 )  # fmt: skip
 from palmar.mechanics.pushing.compiled import compiled
@@ -42,7 +43,7 @@ def _moves_without(hand: HandMotion, body: Body, at: Bench, count: int, finger: 
     for k in range(count):
         row, owner = at.contacts[k], finger_of(hand, link_of(at.active[k]))
         if owner == finger or (owner >= 0 and finger == 2):
-            row[4], row[5] = hand.vx, hand.vy
+            row[4], row[5] = to_object(at, hand.vx, hand.vy)
         speed = max(speed, abs(row[4]) + abs(row[5]))
     guess = at.state[VX], at.state[VY], at.state[OMEGA]
     return full_twist(body, at, count, speed, guess) > 0
@@ -60,6 +61,7 @@ def stall(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> N
         without_left = _moves_without(hand, body, at, count, 1)
         if without_right != without_left:
             stop_right, stop_left = without_right, without_left
+    note_touches(at, count)
     if stop_right:
         s[RIGHT] = s[TIME]
         note(at, STALLS, 0)

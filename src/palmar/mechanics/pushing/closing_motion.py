@@ -3,11 +3,14 @@
 ``solve_motion`` tries every mode of every contact and finds all admissible motions. Within a step the mode rarely
 changes, so ``continued_twist`` first tries Newton's method in the mode of the last motion alone and checks that what it
 finds is admissible; only where it is not are all modes tried again.
+
+A limit surface turns with its object: contacts are written, and motions solved, along the object's axes; motions come
+back along the table's.
 """
 
 from __future__ import annotations
 
-from math import inf
+from math import cos, inf, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -24,7 +27,7 @@ from palmar.mechanics.pushing.contact_solve import (
     workspace,
 )
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, HandMotion, place_links
-from palmar.mechanics.pushing.limit_surface import ELLIPSOID, tangent_metric
+from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK, tangent_metric
 from palmar.mechanics.pushing.metric import Triple, inverse, squared
 from palmar.mechanics.pushing.motion_solve import NEWTON_CHANGE, solve_motion, start_metric
 from palmar.mechanics.pushing.polygon_contacts import MOST_ACTIVE, SKIN, Body, write_contact
@@ -63,7 +66,8 @@ class Bench(NamedTuple):
 
     ``loads`` (per active contact: normal and tangential) and ``edges`` belong to the last motion found; ``modes`` is one
     for each link; ``stages`` are the twists of one step, ``trial`` the pose and time that a stage failed at; ``branches``
-    are the alternatives still to be followed; ``log`` the events.
+    are the alternatives still to be followed; ``log`` the events; ``frame`` cosine and sine of the axes that the contacts
+    are written along.
     """
 
     links: Floats
@@ -80,6 +84,7 @@ class Bench(NamedTuple):
     trial: Floats
     branches: Floats
     log: Floats
+    frame: Floats
     space: Workspace
 
 
@@ -101,6 +106,7 @@ def bench(events: int) -> Bench:
         np.zeros(4),
         np.zeros((MOST_BRANCHES, STATE_WIDTH)),
         np.zeros((events, 3)),
+        np.zeros(2),
         workspace(),
     )
 
@@ -117,7 +123,35 @@ def write_contacts(
         row = at.contacts[k]
         at.gaps[k] = write_contact(body, at.links, skin, at.active[k], at.sides[k], x, y, theta, row)
         speed = max(speed, abs(row[4]) + abs(row[5]))
+    _turn_rows(body, at, count, theta)
     return speed
+
+
+@compiled
+def _turn_rows(body: Body, at: Bench, count: int, theta: float) -> None:
+    """Write the contacts along the object's axes, unless its limit surface is round."""
+    at.frame[0], at.frame[1] = 1.0, 0.0
+    if body.surface.kind == UNIFORM_DISK or body.surface.kind == ELLIPSOID:
+        return
+    at.frame[0], at.frame[1] = cos(theta), sin(theta)
+    for k in range(count):
+        row = at.contacts[k]
+        for pair in range(0, 6, 2):
+            row[pair], row[pair + 1] = to_object(at, row[pair], row[pair + 1])
+
+
+@compiled
+def to_object(at: Bench, x: float, y: float) -> tuple[float, float]:
+    """A vector along the table's axes -> along those of the contacts written."""
+    c, s = at.frame[0], at.frame[1]
+    return c * x + s * y, c * y - s * x
+
+
+@compiled
+def _to_table(at: Bench, row: Floats) -> None:
+    """The first two entries of a motion -> along the table's axes."""
+    c, s, x, y = at.frame[0], at.frame[1], row[0], row[1]
+    row[0], row[1] = c * x - s * y, s * x + c * y
 
 
 @compiled
@@ -134,13 +168,17 @@ def full_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
         motions[0, :] = 0.0
         at.edges[:] = NONE
         return 1
+    gx, gy = to_object(at, guess[0], guess[1])
     if count > MOST_CONTACTS:
-        return _by_threes(body, at, count, guess)
-    number = solve_motion(body.surface, at.contacts, count, guess, at.space)
-    if number > 0:
-        for k in range(count):
-            at.loads[k, 0], at.loads[k, 1] = motions[0, 3 + 2 * k], motions[0, 4 + 2 * k]
-        _note_edges(at, count)
+        number = _by_threes(body, at, count, (gx, gy, guess[2]))
+    else:
+        number = solve_motion(body.surface, at.contacts, count, (gx, gy, guess[2]), at.space)
+        if number > 0:
+            for k in range(count):
+                at.loads[k, 0], at.loads[k, 1] = motions[0, 3 + 2 * k], motions[0, 4 + 2 * k]
+            _note_edges(at, count)
+    for m in range(number):
+        _to_table(at, motions[m])
     return number
 
 
@@ -201,7 +239,8 @@ def continued_twist(body: Body, at: Bench, count: int, speed: float, guess: Trip
     """As ``full_twist`` but only one motion, in the mode of the last one where that is admissible."""
     if speed == 0.0 or count > MOST_CONTACTS or at.edges[0] == NONE:
         return full_twist(body, at, count, speed, guess)
-    x, y, w = guess
+    x, y = to_object(at, guess[0], guess[1])
+    w = guess[2]
     a, b, c = at.edges[0], at.edges[1], at.edges[2]
     if body.surface.kind != ELLIPSOID and x == 0.0 and y == 0.0 and w == 0.0:
         return full_twist(body, at, count, speed, guess)
@@ -216,5 +255,6 @@ def continued_twist(body: Body, at: Bench, count: int, speed: float, guess: Trip
         if change <= NEWTON_CHANGE * NEWTON_CHANGE * squared(metric, x, y, w):
             for k in range(count):
                 at.loads[k, 0], at.loads[k, 1] = row[3 + 2 * k], row[4 + 2 * k]
+            _to_table(at, row)
             return 1
     return full_twist(body, at, count, speed, guess)

@@ -47,7 +47,7 @@ KINK_FACTOR = 50.0
 FIRST_STRIDE, LONGEST_STRIDE, SHORTEST_STRIDE = 0.1, 0.5, 1e-7
 NEAR_KINK = 2e-4
 """A contact that is to begin or end to slide is approached by halving as near as this (rad)."""
-NEAR_JAM = 3e-4
+NEAR_JAM = 3e-5
 """A jam nearer than this (rad) is located by bisection along the last twist."""
 SHARE = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 STAGES = np.array(

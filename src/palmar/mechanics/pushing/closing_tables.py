@@ -11,7 +11,7 @@ docs/derivations/tip_phase.md.
 
 from __future__ import annotations
 
-from math import cos, hypot, pi, sin, sqrt
+from math import asin, atan2, cos, hypot, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -24,7 +24,7 @@ from palmar.mechanics.pushing.limit_surface import LimitSurface
 from palmar.mechanics.pushing.motion_solve import solve_motion
 
 Floats = NDArray[np.float64]
-TIP_NODES, LINK_NODES, PALM_NODES = 2049, 1025, 513
+TIP_NODES, LINK_NODES, PALM_NODES, PALM_SAMPLES = 2049, 1025, 257, 64
 
 
 class ClosingHand(NamedTuple):
@@ -46,7 +46,8 @@ class Tables(NamedTuple):
     any other tip phase is this path turned about the joint. ``link_turn`` and ``link_spin``: how far finger and disk
     turn until the contact reaches the tip, at equal steps of its distance from the joint; ``link_reach``: that distance
     at equal steps of the turn that is left; all three empty where the distance grows at R + h (lines, or no friction).
-    ``palm_spin``: the disk's angle at equal steps of psi from 90 degrees to ``palm_end``.
+    ``palm_spin`` (2, N): the disk's angle at equal steps of psi over the two ranges ``palm_range`` (2, 2) in which the
+    link, and the tip, move it along the palm.
     """
 
     turn: Floats
@@ -58,7 +59,7 @@ class Tables(NamedTuple):
     link_spin: Floats
     link_reach: Floats
     palm_spin: Floats
-    palm_end: float
+    palm_range: Floats
 
 
 @compiled
@@ -152,18 +153,51 @@ def _fill_link(hand: ClosingHand, drag: Floats, slips: float, turn: Floats, spin
 
 
 @compiled
-def _fill_palm(hand: ClosingHand, surface: LimitSurface, spin: Floats, end: float) -> None:
-    """Simpson's rule in psi; where the disk is wedged the spin stays."""
+def _range_that_moves(
+    hand: ClosingHand, surface: LimitSurface, low: float, high: float, space: Workspace, contacts: Floats
+) -> tuple[float, float]:
+    """The part of [low, high] in which the finger moves the disk along the palm: neither wedged nor lifted; else empty."""
+    first, last = high, low
+    step = (high - low) / PALM_SAMPLES
+    for k in range(PALM_SAMPLES):
+        psi = low + (k + 0.5) * step
+        rate = palm_spin_rate(hand, surface, psi, space, contacts)
+        if rate == rate:
+            first, last = min(first, psi), psi
+        elif last > low:
+            break
+    if last < first:
+        return low, low
+    for edge in range(2):
+        inside, outside = (first, max(first - step, low)) if edge == 0 else (last, min(last + step, high))
+        rate = palm_spin_rate(hand, surface, outside, space, contacts)
+        if rate == rate:
+            inside = outside
+        while abs(outside - inside) > 1e-13:
+            middle = 0.5 * (inside + outside)
+            rate = palm_spin_rate(hand, surface, middle, space, contacts)
+            inside, outside = (middle, outside) if rate == rate else (inside, middle)
+        first, last = (inside, last) if edge == 0 else (first, inside)
+    return first, last
+
+
+@compiled
+def _fill_palm(hand: ClosingHand, surface: LimitSurface, spin: Floats, ranges: Floats) -> None:
+    """Simpson's rule in psi, up to where the finger wedges the disk or lifts it; ``ranges`` as given are cut to that."""
     space, contacts = workspace(), np.zeros((2, CONTACT_WIDTH))
-    step = (end - 0.5 * pi) / (PALM_NODES - 1)
-    last = palm_spin_rate(hand, surface, 0.5 * pi, space, contacts)
-    for k in range(1, PALM_NODES):
-        psi = 0.5 * pi + k * step
-        middle = palm_spin_rate(hand, surface, psi - 0.5 * step, space, contacts)
-        now = palm_spin_rate(hand, surface, psi, space, contacts)
-        mean = (last + 4.0 * middle + now) / 6.0
-        spin[k] = spin[k - 1] + (step * mean if mean == mean else 0.0)
-        last = now
+    for part in range(2):
+        low, high = _range_that_moves(hand, surface, ranges[part, 0], ranges[part, 1], space, contacts)
+        ranges[part, 0], ranges[part, 1] = low, high
+        step = (high - low) / (PALM_NODES - 1)
+        if step <= 0.0:
+            continue
+        last = palm_spin_rate(hand, surface, low, space, contacts)
+        for k in range(1, PALM_NODES):
+            psi = high if k == PALM_NODES - 1 else low + k * step
+            middle = palm_spin_rate(hand, surface, psi - 0.5 * step, space, contacts)
+            now = palm_spin_rate(hand, surface, psi, space, contacts)
+            spin[part, k] = spin[part, k - 1] + step * (last + 4.0 * middle + now) / 6.0
+            last = now
 
 
 def build_tables(hand: ClosingHand, surface: LimitSurface, *, spin: bool = True) -> Tables:
@@ -175,15 +209,18 @@ def build_tables(hand: ClosingHand, surface: LimitSurface, *, spin: bool = True)
     turn, turned, rate = np.zeros(TIP_NODES), np.zeros(TIP_NODES), np.zeros(TIP_NODES)
     thick = hand.friction > 0.0 and hand.half_thickness > 0.0
     link_turn, link_spin, link_reach = np.zeros((3, LINK_NODES if thick else 0))
-    palm_spin, palm_end = np.zeros(PALM_NODES), max(min(hand.last, pi - 1e-9), 0.5 * pi + 1e-9)
     drag = drag_table(surface, hand.radius) if hand.friction > 0.0 else np.zeros(4)
     slips = slipping_from(drag, hand.friction) if hand.friction > 0.0 else 0.0
     _fill_tip(hand, drag, slips, turn, turned, rate)
     if thick:
         _fill_link(hand, drag, slips, link_turn, link_spin, link_reach)
-    if hand.friction > 0.0 and spin:
-        _fill_palm(hand, surface, palm_spin, palm_end)
     rho, across = hand.radius + hand.half_thickness, turn - np.linspace(0.0, 0.5 * pi, TIP_NODES)
+    tip = pi - asin(min(hand.radius / hypot(hand.length, rho), 1.0)) - atan2(rho, hand.length)
+    last = min(hand.last, pi - 1e-9)
+    palm_spin = np.zeros((2, PALM_NODES))
+    palm_range = np.array([[0.5 * pi, max(min(tip, last), 0.5 * pi)], [max(tip, 0.5 * pi), max(tip, last, 0.5 * pi)]])
+    if hand.friction > 0.0 and spin:
+        _fill_palm(hand, surface, palm_spin, palm_range)
     path_x = hand.length * np.cos(turn) - rho * np.sin(across)
     path_y = hand.length * np.sin(turn) + rho * np.cos(across)
-    return Tables(turn, turned, rate, path_x, path_y, link_turn, link_spin, link_reach, palm_spin, palm_end)
+    return Tables(turn, turned, rate, path_x, path_y, link_turn, link_spin, link_reach, palm_spin, palm_range)

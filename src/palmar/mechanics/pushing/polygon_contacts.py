@@ -53,8 +53,7 @@ def polygon_body(vertices: ArrayLike, friction: float, surface: LimitSurface | N
     corners = np.ascontiguousarray(vertices, dtype=float)
     edges = np.roll(corners, -1, axis=0) - corners
     outward = np.stack([edges[:, 1], -edges[:, 0]], axis=1) / np.hypot(edges[:, 0], edges[:, 1])[:, None]
-    along = corners @ outward.T
-    width = float((along.max(axis=0) - along.min(axis=0)).min())
+    width = min(float(np.ptp(corners @ normal)) for normal in outward)
     reach = float(np.hypot(corners[:, 0], corners[:, 1]).max())
     return Body(corners, 0.0, reach, width, float(friction), surface or polygon_surface(corners))
 

@@ -19,6 +19,8 @@ from palmar.models.support import Pressure
 Floats = NDArray[np.float64]
 PRESSURE_EXPONENT = {Pressure.UNIFORM: 0.0, Pressure.RIM: 1.0, Pressure.CENTRE: -1.0}
 """Exponent e of the named distributions."""
+REACHED, FLATTEST, STEEPEST = 1e-13, 1e-12, 1e5
+"""Distance from the wanted centre that counts as there; cells so nearly on a line, or a lean so steep, as to give up."""
 Cells = tuple[Floats, Floats, Floats]
 """Points (N, 2), weights (N,) with sum 1, spreads (N,)."""
 
@@ -82,19 +84,41 @@ def shaped(cells: Cells, shape: PressureShape, size: float) -> Cells:
 def leaned(cells: Cells, offset: ArrayLike) -> Cells:
     """The pressure multiplied by exp(k . p) so that its centre is at ``offset`` (m); about the same point as before.
 
-    The object leans. The offset must lie well inside the cells.
+    The object leans. k minimises the convex log(sum w exp(k . p)) - k . offset: Newton's method, its step halved until
+    that falls. Raises ValueError where the offset does not lie inside the cells' points.
     """
     points, weights, spreads = cells
-    goal, k = np.asarray(offset, dtype=float), np.zeros(2)
-    for _ in range(50):
-        tilted = weights * np.exp(points @ k)
-        tilted /= tilted.sum()
-        miss = goal - tilted @ points
-        if float(np.abs(miss).max()) < 1e-15:
+    goal = np.asarray(offset, dtype=float)
+    size = float(np.hypot(points[:, 0], points[:, 1]).max())
+    arms, k = (points - goal) / size, np.zeros(2)
+    value, tilted = _tilt(arms, weights, k)
+    while True:
+        miss = tilted @ arms
+        spread = (arms * tilted[:, None]).T @ arms - np.outer(miss, miss)
+        if float(np.hypot(*miss)) < REACHED:
+            return points, tilted, spreads
+        if np.linalg.det(spread) <= FLATTEST * np.trace(spread) ** 2 or float(np.hypot(*k)) > STEEPEST:
             break
-        about = points - tilted @ points
-        k = k + np.linalg.solve((about * tilted[:, None]).T @ about, miss)
-    return points, tilted, spreads
+        step = -np.linalg.solve(spread, miss)
+        share, fall = 1.0, float(miss @ step)
+        after, tried = _tilt(arms, weights, k + step)
+        while after > value + 1e-4 * share * fall + 1e-15 and share > 1e-9:
+            share *= 0.5
+            after, tried = _tilt(arms, weights, k + share * step)
+        if share <= 1e-9:
+            break
+        k, value, tilted = k + share * step, after, tried
+    place = ", ".join(f"{each:.6g}" for each in goal)
+    raise ValueError(f"no pressure on the object has its centre at ({place}) m from the middle, which is too far out")
+
+
+def _tilt(arms: Floats, weights: Floats, k: Floats) -> tuple[float, Floats]:
+    """log(sum w exp(k . arm)) and the normalised weights w exp(k . arm)."""
+    heights = arms @ k
+    top = float(heights.max())
+    tilted = weights * np.exp(heights - top)
+    total = float(tilted.sum())
+    return top + float(np.log(total)), tilted / total
 
 
 def triangle_rule(vertices: Floats) -> Cells:

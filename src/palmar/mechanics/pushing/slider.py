@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, polygon_surface, sampled_surface
+from palmar.mechanics.pushing.polygon_contacts import Body, polygon_body
 from palmar.mechanics.pushing.pressure_cells import Cells, disk_cells, leaned, polygon_cells
 
 Floats = NDArray[np.float64]
@@ -58,6 +59,24 @@ def pressed_slider(core: Floats, rounding: float, cells: Cells, about: tuple[flo
     return Slider(
         core - np.asarray(centre), float(rounding), sampled_surface((points - mean, weights, spreads)), centre
     )
+
+
+def slider_body(slider: Slider, friction: float) -> Body:
+    """The slider as the stepping kernel takes it: a disk is there a polygon of one vertex, rounded."""
+    if len(slider.core) > 1:
+        return polygon_body(slider.core, friction, slider.surface)
+    radius, (x, y) = slider.rounding, slider.core[0]
+    core = np.ascontiguousarray(slider.core, dtype=float)
+    return Body(core, radius, hypot(x, y) + radius, 2.0 * radius, float(friction), slider.surface)
+
+
+def moved_poses(centre: tuple[float, float], poses: Floats, way: float) -> Floats:
+    """Poses (N, 3) of the object's frame -> of its centre of pressure at ``centre`` (m) in it (way 1), or back (way -1)."""
+    c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
+    moved = poses.copy()
+    moved[:, 0] += way * (c * centre[0] - s * centre[1])
+    moved[:, 1] += way * (s * centre[0] + c * centre[1])
+    return moved
 
 
 @compiled

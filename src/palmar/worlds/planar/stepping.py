@@ -7,20 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from palmar.geometry.polygon import area_centroid
 from palmar.mechanics.pushing.closing import Ends
-from palmar.mechanics.pushing.closing_case import pressure_surface
+from palmar.mechanics.pushing.closing_case import straight_motion
 from palmar.mechanics.pushing.closing_events import ENDS, LEAVES, STALLS, STICKS, TOUCHES
+from palmar.mechanics.pushing.closing_frames import carry_frames
 from palmar.mechanics.pushing.closing_steps import carry, carry_all
-from palmar.mechanics.pushing.hand_pose import HandMotion, hand_motion
-from palmar.mechanics.pushing.limit_surface import LimitSurface, polygon_surface, sampled_surface
-from palmar.mechanics.pushing.polygon_contacts import Body, disk_body, polygon_body
-from palmar.mechanics.pushing.pressure_cells import PRESSURE_EXPONENT, polygon_cells
+from palmar.mechanics.pushing.hand_pose import HandMotion
+from palmar.mechanics.pushing.polygon_contacts import Body
+from palmar.mechanics.pushing.resting import slider_of
+from palmar.mechanics.pushing.slider import moved_poses, slider_body
 from palmar.models.case import Case
-from palmar.models.hand import Fingers
-from palmar.models.objects import Disk
-from palmar.models.support import Pressure
 from palmar.worlds.planar.events import Event
+from palmar.worlds.planar.table import Trace
 
 Floats = NDArray[np.float64]
 MOST_EVENTS = 400
@@ -37,12 +35,22 @@ class SteppingWorld:
 
     def ends(self, starts: ArrayLike) -> Ends:
         """How each start (N, 3) = x, y, theta of the object's frame ends."""
-        codes, ends, _ = carry_all(self.motion, self.body, self._moved(np.asarray(starts, dtype=float), 1.0))
-        return Ends(codes, self._moved(ends[:, :3], -1.0), ends[:, 3:])
+        codes, ends, _ = carry_all(
+            self.motion, self.body, moved_poses(self.centre, np.asarray(starts, dtype=float), 1.0)
+        )
+        return Ends(codes, moved_poses(self.centre, ends[:, :3], -1.0), ends[:, 3:])
+
+    def trace(self, start: tuple[float, float, float], frames: int) -> Trace:
+        """Poses of the object's frame at ``frames`` equal steps of the closing angle."""
+        angles = np.linspace(self.motion.first, self.motion.last, frames)
+        poses, fingers = carry_frames(
+            self.motion, self.body, moved_poses(self.centre, np.array([start]), 1.0)[0], angles
+        )
+        return Trace(angles, moved_poses(self.centre, poses, -1.0), fingers)
 
     def events(self, start: tuple[float, float, float], outcome: str) -> tuple[Event, ...]:
         """The events of one start in order; the last one is the end, its body the outcome."""
-        x, y, theta = self._moved(np.array([start]), 1.0)[0]
+        x, y, theta = moved_poses(self.centre, np.array([start]), 1.0)[0]
         end, log = carry(self.motion, self.body, x, y, theta, events=MOST_EVENTS)
         known = [self._event(float(psi), int(kind), int(who)) for psi, kind, who in log if int(kind) != ENDS]
         return (*known, Event(max(end.right, end.left), "end", outcome))
@@ -55,36 +63,8 @@ class SteppingWorld:
         part = "palm" if who == 0 else f"{('right', 'left')[finger]}_link" + (f"_{joint + 1}" if count > 1 else "")
         return Event(psi, _KINDS.get(kind, "slide"), part)
 
-    def _moved(self, poses: Floats, way: float) -> Floats:
-        """Poses of the object's frame -> of its centre of pressure (way 1), or back (way -1)."""
-        c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
-        moved = poses.copy()
-        moved[:, 0] += way * (c * self.centre[0] - s * self.centre[1])
-        moved[:, 1] += way * (s * self.centre[0] + c * self.centre[1])
-        return moved
-
 
 def stepping_world(case: Case) -> SteppingWorld:
     """The world of a case on a table."""
-    hand, offset = case.hand, case.support.pressure_centre
-    motion = hand_motion(
-        hand.half_palm,
-        [hand.finger_length],
-        hand.half_thickness,
-        first=hand.open,
-        limit=hand.base_limits[1],
-        colliding=hand.fingers is Fingers.COLLIDING,
-    )
-    mu, pressure = case.contact.friction, case.support.pressure
-    if isinstance(case.object, Disk):
-        surface = pressure_surface(case.object, case.support)
-        return SteppingWorld(motion, disk_body(case.object.radius, mu, surface), (0.0, 0.0))
-    middle = area_centroid(case.object.vertices)
-    centre = (middle[0] + offset[0], middle[1] + offset[1])
-    corners = np.array(case.object.vertices) - centre
-    return SteppingWorld(motion, polygon_body(corners, mu, _polygon_surface(corners, pressure)), centre)
-
-
-def _polygon_surface(corners: Floats, pressure: Pressure) -> LimitSurface:
-    uniform = pressure is Pressure.UNIFORM
-    return polygon_surface(corners) if uniform else sampled_surface(polygon_cells(corners, PRESSURE_EXPONENT[pressure]))
+    slider = slider_of(case.object, case.support)
+    return SteppingWorld(straight_motion(case.hand), slider_body(slider, case.contact.friction), slider.centre)

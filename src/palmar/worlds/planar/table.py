@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.closing import Ends, close_disk
-from palmar.mechanics.pushing.closing_case import closing_hand, pressure_surface
+from palmar.mechanics.pushing.closing_case import closing_hand
 from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables, build_tables
 from palmar.mechanics.pushing.limit_surface import LimitSurface
+from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
@@ -37,22 +38,20 @@ def refuse_uncovered(case: Case) -> None:
         raise NotCoveredError('support.kind = "free": this world is the table')
     if case.ranges:
         raise NotCoveredError("a simulation takes plain numbers, not ranges")
-    if isinstance(case.object, Disk) and case.support.pressure_centre != (0.0, 0.0):
-        raise NotCoveredError("support.pressure_centre_mm: this world has the pressure centred under a disk")
 
 
 def covered(case: Case) -> bool:
-    """Whether the event-to-event kernel carries the case: disks."""
+    """Whether the event-to-event kernel carries the case: disks pressed about their centre."""
     refuse_uncovered(case)
-    return isinstance(case.object, Disk)
+    return isinstance(case.object, Disk) and case.support.pressure_centre == (0.0, 0.0)
 
 
 def table_world(case: Case) -> TableWorld:
     """The event-to-event world of a case; raises NotCoveredError where it does not cover it."""
     if not covered(case) or not isinstance(case.object, Disk):
-        raise NotCoveredError("this needs a disk")
+        raise NotCoveredError("this needs a disk pressed about its centre")
     hand = closing_hand(case.hand, case.object.radius, case.contact.friction)
-    surface = pressure_surface(case.object, case.support)
+    surface = slider_of(case.object, case.support).surface
     return TableWorld(hand, surface, build_tables(hand, surface))
 
 

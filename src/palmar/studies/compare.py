@@ -1,0 +1,61 @@
+"""Regions of one case by several models, and a simulated start for every promise that another model breaks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import shapely
+from shapely import MultiPolygon
+
+from palmar.geometry.planar_set import areal
+from palmar.models.case import Case
+from palmar.models.closure import Closure
+from palmar.models.outcome import Outcome
+from palmar.regions.build import build_region
+from palmar.regions.region import Model, Region
+from palmar.studies.simulate import simulate_start
+
+LEAST = 1e-4
+"""Differences below this share of the promised area are not reported."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Where ``promised_by`` says caught and ``denied_by`` does not: the set (m), a start well inside it, how that ends."""
+
+    promised_by: Model
+    denied_by: Model
+    where: MultiPolygon
+    start: tuple[float, float]
+    outcome: Outcome
+    end: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """The regions, in the order asked for, and where they differ."""
+
+    regions: tuple[Region, ...]
+    differences: tuple[Difference, ...]
+
+
+def compare_regions(case: Case, models: Sequence[Model], closure: Closure) -> Comparison:
+    """Build the regions and simulate a start, frictionless for structural closure, in each part they disagree about."""
+    regions = tuple(build_region(case, model, closure) for model in models)
+    friction = 0.0 if closure is Closure.STRUCTURAL else case.contact.friction
+    played = case.model_copy(update={"contact": case.contact.model_copy(update={"friction": friction})})
+    found = [_difference(played, one, other) for one in regions for other in regions if one is not other]
+    return Comparison(regions, tuple(each for each in found if each is not None))
+
+
+def _difference(case: Case, one: Region, other: Region) -> Difference | None:
+    """What the first promises and the second denies: beyond its outer side, where it has one."""
+    where = areal(one.centre - (other.centre if other.outer is None else other.outer))
+    if where.area <= LEAST * max(one.area, other.area):
+        return None
+    largest = max(where.geoms, key=lambda part: part.area)
+    point = shapely.get_point(shapely.maximum_inscribed_circle(largest), 0)
+    start = float(point.x), float(point.y)
+    result = simulate_start(case, start)
+    return Difference(one.model, other.model, where, start, result.outcome, result.pose[:2])

@@ -1,0 +1,160 @@
+"""Soundness of exact regions, hunted: random starts inside must be caught, outside the outer side must be lost.
+
+    python3 dev.py validate regions [disks|polygons] [STARTS]
+
+Twenty hands and disks (palm wider and narrower than the finger, radii near both limits, frictions 0 to 1, line and thick
+fingers, open and half open, with and without joint limits), a million starts inside each region and as many outside;
+five polygons at a random orientation each. A seed is fixed; every loss and catch is printed.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from math import atan, degrees, pi
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import MultiPolygon
+
+from palmar.geometry.straight_finger import last_angle
+from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii
+from palmar.mechanics.pushing.closing import close_disk
+from palmar.mechanics.pushing.closing_steps import carry_all
+from palmar.mechanics.pushing.closing_tables import ClosingHand, build_tables
+from palmar.mechanics.pushing.hand_pose import hand_motion
+from palmar.mechanics.pushing.limit_surface import disk_surface
+from palmar.mechanics.pushing.polygon_contacts import polygon_body
+from palmar.models.hand import Hand
+from palmar.models.objects import ConvexPolygon
+from palmar.models.outcome import Outcome
+from palmar.regions.caging_core import caging_core
+from palmar.regions.closing_exact import exact_sets
+from palmar.regions.closing_sampled import sampled_sets
+
+Floats = NDArray[np.float64]
+HANDS, SEED = 20, 20261126
+
+
+def starts_in(area: MultiPolygon, count: int, rng: np.random.Generator) -> Floats:
+    """Uniform starts in a set, by rejection from its bounding box."""
+    left, low, right, high = area.bounds
+    found: list[Floats] = []
+    shapely.prepare(area)
+    while sum(map(len, found)) < count:
+        tried = np.column_stack([rng.uniform(left, right, count), rng.uniform(low, high, count)])
+        found.append(tried[shapely.contains_xy(area, tried)])
+    return np.concatenate(found)[:count]
+
+
+def random_hand(rng: np.random.Generator, number: int) -> ClosingHand:
+    """Hands in turn with the palm wider and narrower than the finger, radii near the least, between, near the largest."""
+    while True:
+        d = rng.uniform(1.0, 1.4) if number % 4 == 0 else rng.uniform(0.15, 1.0)
+        h = rng.choice([0.0, rng.uniform(0.0, 0.15)])
+        friction = rng.choice([0.0, rng.uniform(0.0, 1.0), 1.0])
+        crossing, first = rng.random() < 0.6, rng.choice([0.0, 0.0, rng.uniform(0.0, 1.3)])
+        limit = rng.choice([pi, pi, rng.uniform(1.7, pi)])
+        options = {"crossing": crossing, "psi_limits": (0.0, limit)}
+        alpha = atan(friction)
+        radii = frictional_radii(d, 1.0, alpha, h, **options) if alpha else structural_radii(d, 1.0, h, **options)
+        low, high = float(radii.min), min(float(radii.max), 1.5)
+        if not low < high:
+            continue
+        place = (0.02, 0.3, 0.7, 0.98)[number // 4 % 4]
+        radius = max(low + place * (high - low), 0.01)
+        last = float(last_angle(d, 1.0, h, crossing, limit))
+        return ClosingHand(d, 1.0, h, radius, float(friction), float(first), last)
+
+
+def disks(starts: int) -> int:
+    """Print losses and catches per hand; returns their number."""
+    rng = np.random.default_rng(SEED)
+    wrong = 0
+    print("palm/finger  radius  thick  friction  open      area  inside  lost  outside  caught  region_ms")
+    for number in range(HANDS):
+        sets = None
+        while sets is None or sets.centre.is_empty:
+            hand = random_hand(rng, number)
+            surface = disk_surface(hand.radius)
+            begin = time.perf_counter()
+            tables = build_tables(hand, surface, spin=False)
+            sets = exact_sets(hand, tables, 1e-5)
+            spent = time.perf_counter() - begin
+        reach = hand.half_palm + 1.0 + hand.radius
+        inside = starts_in(sets.centre, starts, rng)
+        box = shapely.box(-reach, hand.radius, reach, 1.0 + 2.0 * hand.radius)
+        outside = starts_in(MultiPolygon([box]) - sets.outer.buffer(1e-9), starts, rng)
+        lost = int((close_disk(hand, surface, inside, tables).codes > Outcome.CAGED.code).sum())
+        caught = int((close_disk(hand, surface, outside, tables).codes <= Outcome.CAGED.code).sum())
+        wrong += lost + caught
+        print(
+            f"{hand.half_palm:11.3f}  {hand.radius:6.3f}  {hand.half_thickness:5.3f}  {hand.friction:8.3f}  "
+            f"{degrees(hand.first):4.1f}  {sets.centre.area:8.4f}  {starts}  {lost:4d}  {starts}  {caught:6d}  "
+            f"{1e3 * spent:.1f}",
+            flush=True,
+        )
+    return wrong
+
+
+def regular(corners: int, radius: float) -> Floats:
+    """A regular polygon."""
+    angles = 2.0 * pi * np.arange(corners) / corners
+    return radius * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+POLYGONS = {
+    "square": regular(4, 0.042),
+    "rectangle 3:2": np.array([[-0.04, -0.027], [0.04, -0.027], [0.04, 0.027], [-0.04, 0.027]]),
+    "triangle": regular(3, 0.045),
+    "hexagon": regular(6, 0.04),
+    "bar 3:1": np.array([[-0.045, -0.015], [0.045, -0.015], [0.045, 0.015], [-0.045, 0.015]]),
+}
+SPACING = 0.002
+
+
+def polygons(starts: int) -> int:
+    """The same for polygons before the test-bed hand, friction 0.7: regions by simulated starts, and their certain part."""
+    rng = np.random.default_rng(SEED)
+    hand, motion = Hand(palm_width=0.12, finger_links=(0.244,)), hand_motion(0.06, [0.244])
+    wrong = 0
+    print(
+        "polygon        theta   area cm2  certain cm2  starts on grid  seconds  inside  lost  outside  caught  in core lost"
+    )
+    for name, corners in POLYGONS.items():
+        theta = float(rng.uniform(0.0, 2.0 * pi))
+        body = polygon_body(corners, 0.7)
+        begin = time.perf_counter()
+        sets = sampled_sets(motion, body, (0.0, 0.0), np.array([theta]), SPACING)
+        spent = time.perf_counter() - begin
+        thing = ConvexPolygon(shape="polygon", vertices=tuple(map(tuple, corners.tolist())))
+        core = caging_core(hand, thing, motion.last, theta, theta)
+        box = MultiPolygon([shapely.box(-0.36, 0.0, 0.36, 0.34)])
+        counts = []
+        for area, good in ((sets.centre, True), (box - sets.outer, False), (core, True)):
+            if area.is_empty:
+                counts.append(0)
+                continue
+            number = starts if area is not core else starts // 10
+            poses = np.column_stack([starts_in(area, number, rng), np.full(number, theta)])
+            caught = carry_all(motion, body, poses)[0] <= Outcome.CAGED.code
+            counts.append(int((caught != good).sum()))
+        wrong += sum(counts)
+        print(
+            f"{name:13s}  {degrees(theta):5.1f}  {1e4 * sets.centre.area:9.1f}  {1e4 * core.area:11.1f}  {sets.starts:14d}  "
+            f"{spent:7.2f}  {starts}  {counts[0]:4d}  {starts}  {counts[1]:6d}  {counts[2]}",
+            flush=True,
+        )
+    return wrong
+
+
+def main(words: list[str]) -> int:
+    """Run what is asked for; the number of wrong promises."""
+    which = words[0] if words else "disks"
+    starts = int(words[1]) if len(words) > 1 else 1_000_000
+    return {"disks": disks, "polygons": polygons}[which](starts)
+
+
+if __name__ == "__main__":
+    sys.exit(min(main(sys.argv[1:]), 1))
