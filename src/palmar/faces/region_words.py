@@ -14,7 +14,7 @@ from palmar.studies.final_poses import FinalPoses, Interval
 from palmar.studies.pre_opening import PreOpening, time_saved, tip_gap
 from palmar.studies.validity import Validity
 
-RARE, SURE = 1e-3, 1e-12
+RARE, SURE, ROUNDED = 1e-3, 1e-12, 1e-9
 
 
 def capture_rows(given: Capture) -> Iterator[Row]:
@@ -99,8 +99,8 @@ def ends_lines(given: FinalPoses, angles: FinalAngles | None) -> Iterator[str]:
     """What the final poses and angles mean."""
     if given.centring is not None:
         yield (
-            f"Self-centring: {1e3 * given.before:.3g} mm of spread before (rms), {1e3 * given.after:.3g} mm after, "
-            f"ratio {given.centring:.3g}; {given.starts} starts, {1e3 * given.spacing:.2g} mm apart."
+            f"Self-centring: {1e3 * given.before:.3g} mm of spread before (rms), {_after(given)}; "
+            f"{given.starts} starts, {1e3 * given.spacing:.2g} mm apart."
         )
     if angles is None:
         return
@@ -119,8 +119,15 @@ def ends_lines(given: FinalPoses, angles: FinalAngles | None) -> Iterator[str]:
             f"{per_degree:.2g} mm more radius."
         )
     close = [each for each in angles.apart if each.angle < radians(1.0)]
-    for each in close:
-        yield f"The angles alone hardly tell {each.one} from {each.other} ({degrees(each.angle):.2g} deg apart)."
+    if close:
+        pairs = ", ".join(f"{each.one} from {each.other} ({degrees(each.angle):.2g} deg apart)" for each in close)
+        yield f"The angles alone hardly tell {pairs}."
+
+
+def _after(given: FinalPoses) -> str:
+    if given.centring is None or given.centring < ROUNDED:
+        return "none after"
+    return f"{1e3 * given.after:.3g} mm after, ratio {given.centring:.3g}"
 
 
 def validity_lines(given: Validity) -> Iterator[str]:

@@ -24,8 +24,8 @@ STARTS = 20_000
 FEWER = 2_000
 """For polygons, which are carried in steps."""
 LEVELS = (0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0)
-NEAR = 1e-7
-"""Within this share of the finger's length the object is on the axis or on the palm."""
+NEAR = 1e-4
+"""Within this share of the finger's length the object counts as on the axis or on the palm."""
 
 
 @dataclass(frozen=True)
@@ -136,8 +136,8 @@ def _classes(case: Case, ends: Ends) -> dict[str, tuple[str, NDArray[np.bool_]]]
     on_axis, on_palm = np.abs(ends.poses[:, 0]) < near, ends.poses[:, 1] < case.object.radius + near
     return {
         "centred": ("on the palm and on the axis, held by palm and both fingers", held & on_axis & on_palm),
-        "pinched": ("between both fingers on the axis, off the palm", held & on_axis & ~on_palm),
-        "wedged": ("on the palm off the axis, wedged by one finger", held & ~on_axis),
+        "pinched": ("between both fingers, off the palm", held & ~on_palm),
+        "wedged": ("on the palm off the axis, wedged by one finger", held & on_palm & ~on_axis),
         **caged,
         **lost,
     }

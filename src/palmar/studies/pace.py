@@ -22,14 +22,14 @@ from palmar.mechanics.pushing.resting import slider_of
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
-from palmar.studies.final_poses import NEAR, grid
+from palmar.studies.final_poses import grid
 from palmar.worlds.planar.table import TableWorld, covered
 
 Floats = NDArray[np.float64]
 STARTS, RIM, STEPS = 100, 100, 720
 """Starts on a grid and on the outline, whose disks go farthest and turn sharpest on the tips; steps of the angle."""
-STANDING = 1e-6
-"""A speed below this share of the finger's length (per rad) is rounding."""
+REACHED, STANDING = 1e-7, 1e-6
+"""Shares of the finger's length: a disk this near is on the axis or palm; a speed below this (per rad) is rounding."""
 REST, PUSHED, SQUEEZED, SLID = range(4)
 """Phases: at rest, pushed by one finger, squeezed along the axis by both, slid along the palm by one."""
 
@@ -91,7 +91,7 @@ def _followed(world: TableWorld, starts: Floats) -> tuple[Floats, NDArray[np.int
     angles = np.linspace(hand.first, hand.last, STEPS + 1)
     ends = [world.ends(starts, last=float(angle)) for angle in angles]
     places = np.stack([each.poses[:, :2] for each in ends])
-    near = NEAR * hand.length
+    near = REACHED * hand.length
     on_axis, on_palm = np.abs(places[..., 0]) < near, places[..., 1] < hand.radius + near
     phases = np.full(on_axis.shape, PUSHED, np.int8)
     phases[on_axis], phases[on_palm] = SQUEEZED, SLID
