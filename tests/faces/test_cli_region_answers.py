@@ -102,6 +102,8 @@ def test_a_polygon_without_a_region_is_sampled(palmar, tmp_path, monkeypatch):
         assert record["capture"]["probability_at_least"] < record["capture"]["probability"]
         assert record["pre_opening"] is None
     assert record["ends"]["caught_share"] > 0.9
+    said = palmar("region", path, "--error", "1,1,1").out
+    assert "100% (" in said and "certain, less" not in said
 
 
 @pytest.mark.parametrize(
@@ -119,6 +121,7 @@ def test_a_polygon_without_a_region_is_sampled(palmar, tmp_path, monkeypatch):
         (["--uncertainty", "none.geojson"], "cannot be read"),
         (["--at", "1"], "X_MM,Y_MM"),
         (["--pressure-offset", "0"], "0.000001"),
+        (["--compare", "exact,published", "--ends"], "compares regions alone"),
     ],
 )
 def test_bad_questions_are_one_line(palmar, words, said):

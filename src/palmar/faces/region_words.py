@@ -7,6 +7,7 @@ from math import degrees, isfinite, radians
 
 from palmar.faces.words import Row
 from palmar.models.case import Case
+from palmar.models.guarantee import Guarantee
 from palmar.regions.opening import Openings
 from palmar.studies.capture import Capture, Chance, Pair
 from palmar.studies.final_angles import FinalAngles
@@ -19,10 +20,11 @@ RARE, SURE, ROUNDED = 1e-3, 1e-12, 1e-9
 
 def capture_rows(given: Capture) -> Iterator[Row]:
     """(what, value) for the chance of a catch."""
-    yield f"chance of a catch at {_place(given.nominal.at)}", _chance(given.nominal)
+    about = "about " if given.guarantee is Guarantee.SAMPLED else ""
+    yield f"chance of a catch at {_place(given.nominal.at)}", _chance(given.nominal, about)
     if given.best is not None and given.offset is not None:
         x, y = given.offset
-        yield f"the best place, {_place(given.best.at)}", _chance(given.best)
+        yield f"the best place, {_place(given.best.at)}", _chance(given.best, about)
         yield "to get there, move the hand by", _place((x, y))
     for each in given.tolerances:
         here = "none" if each.nominal is None else _sigmas(given, each.nominal)
@@ -35,19 +37,20 @@ def _sigmas(given: Capture, scale: float) -> str:
     return f"{x:.3g} x {y:.3g} mm"
 
 
-def _chance(given: Chance) -> str:
+def _chance(given: Chance, about: str) -> str:
     if given.probability < SURE:
         return "none, less than 1 in 1e12 caught"
     low, high = given.at_least, given.at_most
     between = ""
-    if low is not None and high is not None and high - low > RARE:
+    sampled = low is not None and low < given.probability
+    if low is not None and high is not None and (sampled or high - low > RARE):
         between = f" ({100.0 * low:.4g} to {100.0 * high:.4g}%)"
     if given.loss > RARE or between:
         return f"{100.0 * given.probability:.4g}%{between}"
     if given.loss < SURE:
         return "certain, less than 1 in 1e12 lost"
     odds = 1.0 / given.loss
-    return f"1 in {odds:,.0f} lost" if odds < 1e7 else f"1 in {odds:.1e} lost"
+    return f"1 in {odds:,.0f} lost" if odds < 1e7 and not about else f"{about}1 in {odds:.1e} lost"
 
 
 def pre_opening_rows(case: Case, given: PreOpening) -> Iterator[Row]:

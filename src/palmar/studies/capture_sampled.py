@@ -1,4 +1,6 @@
-"""The chance of a catch from simulated starts, where no region covers the case: polygons, off-centre pressure.
+"""The chance of a catch from simulated starts: where the angle of a polygon is uncertain, or no region covers the case.
+
+Integrating simulated regions over the angle is slower and says less: their inner and outer sides are a grid spacing apart.
 
 Starts are independent draws of the error from a seeded generator, so that the exact interval of Clopper and Pearson
 holds for the share caught. The best place is sought on coarse starts over the whole hand, smoothed with the
@@ -18,7 +20,7 @@ from palmar.studies.capture import Capture, Chance, Pair, PoseError
 from palmar.studies.simulate import simulate_starts
 
 Floats = NDArray[np.float64]
-DRAWS, COARSE, GRID = 2000, 3000, 41
+DRAWS, COARSE, GRID = 4000, 3000, 41
 CONFIDENCE = 0.95
 LEAST_SMOOTHING = 0.05
 """In the search, errors below this share of the finger's length are widened to it: coarse starts lie no closer."""

@@ -69,10 +69,12 @@ def region(
     name, given = open_case(case)
     if friction is not None:
         given = with_friction(given, friction, "--friction")
+    asked = questions(error, correlation, uncertainty, at, ends, pressure_offset)
     if compare is not None:
+        if asked != Questions() or theta is not None:
+            raise InputError("--compare", None, "compares regions alone, without a question or orientations")
         _compare(name, given, models(compare), closure, out, json)
         return
-    asked = questions(error, correlation, uncertainty, at, ends, pressure_offset)
     result, uncovered = _built(given, model, closure, orientations(theta), asked)
     found = answers(given, result, model, closure, asked)
     from_object = seen_from is Seen.OBJECT
