@@ -43,7 +43,7 @@ def exact_region(
     """
     if case.support.kind is not SupportKind.TABLE:
         raise NotCoveredError('support.kind = "free": the exact region is for objects on a table')
-    settled = _settled(case, closure)
+    settled = settle(case, closure)
     tolerance = tolerance or FLATTENING * case.hand.finger_length
     if settled.ranges:
         region = _over_ranges(settled, closure, tolerance, orientations, spacing)
@@ -61,7 +61,7 @@ def _is_centred_disk(case: Case) -> bool:
     return isinstance(case.object, Disk) and not off
 
 
-def _settled(case: Case, closure: Closure) -> Case:
+def settle(case: Case, closure: Closure) -> Case:
     """The case without the ranges that need no search: friction 0 for structural closure, else the lowest for a disk."""
     idle = {*WITHOUT_EFFECT}
     contact = case.contact

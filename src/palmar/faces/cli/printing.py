@@ -51,3 +51,14 @@ def number(text: str, option: str) -> float:
     if not math.isfinite(value):
         raise InputError(option, repr(text[:60]), "must be a finite number")
     return value
+
+
+def numbers(text: str, option: str, counts: tuple[int, ...], form: str) -> list[float]:
+    """Finite numbers separated by commas, as many as one of ``counts``; raises InputError naming option and form."""
+    parts = text.split(",")
+    if len(parts) not in counts:
+        raise InputError(option, repr(text[:60]), f"must be {form}")
+    values = [number(part, option) for part in parts]
+    if any(abs(value) > 1e6 for value in values):
+        raise InputError(option, repr(text[:60]), "numbers must be at most 1000000")
+    return values

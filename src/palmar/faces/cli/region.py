@@ -1,28 +1,30 @@
-"""``palmar region``: from where the motion catches the object."""
+"""``palmar region``: from where the motion catches the object, how surely, how little the hand must open, and what then."""
 
 from __future__ import annotations
 
-import math
 from enum import Enum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import App, Parameter
 
-from palmar.errors import InputError
-from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, show
+from palmar.errors import InputError, NotCoveredError
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
+from palmar.faces.cli.region_options import fineness, models, orientations, questions
+from palmar.faces.cli.region_texts import answers_text
 from palmar.faces.cli.texts import comparison_text, region_text, titled
 from palmar.faces.records import comparison_record, region_record
+from palmar.faces.region_records import answers_record
 from palmar.models.case import Case
 from palmar.models.case_file import with_friction
 from palmar.models.closure import Closure
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
-from palmar.regions.region import Model
+from palmar.regions.region import Model, Region
+from palmar.studies.region_questions import Answers, Questions, answers
 
 app = App(name="region")
-FINEST = 1e-8
-"""Least tolerance in finger lengths."""
+Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
 
 
 class Seen(Enum):
@@ -39,17 +41,21 @@ def region(
     model: Annotated[Model, Parameter(help="How the region is obtained.")] = Model.EXACT,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
     friction: Annotated[str | None, Parameter(help="Instead of the case's: a number, or a range LOW..HIGH.")] = None,
-    theta: Annotated[
-        str | None,
-        Parameter(help="Orientations of a polygon: DEG, LOW..HIGH or all.", allow_leading_hyphen=True),
-    ] = None,
+    theta: Annotated[Text, Parameter(help="Orientations of a polygon: DEG, LOW..HIGH or all.")] = None,
     tolerance: Annotated[
-        str | None,
-        Parameter(
-            help="In mm: how far curves may be flattened, or simulated starts be apart.", allow_leading_hyphen=True
-        ),
+        Text, Parameter(help="In mm: how far curves may be flattened, or simulated starts be apart.")
     ] = None,
     compare: Annotated[str | None, Parameter(help="Two models side by side, as exact,published.")] = None,
+    error: Annotated[
+        Text, Parameter(help="SX_MM,SY_MM[,STHETA_DEG] of a Gaussian pose error: adds the chance of a catch.")
+    ] = None,
+    correlation: Annotated[Text, Parameter(help="Of the errors along x and y, between -1 and 1.")] = None,
+    uncertainty: Annotated[
+        Text, Parameter(help="Position errors disk:R_MM, box:W_MM,H_MM, FILE.geojson: adds the smallest safe opening.")
+    ] = None,
+    at: Annotated[Text, Parameter(help="X_MM,Y_MM: the nominal place, else the case's start.")] = None,
+    ends: Annotated[bool, Parameter(negative="", help="Add where it ends and what the fingers then show.")] = False,
+    pressure_offset: Annotated[Text, Parameter(help="MM: add what an off-centre pressure costs.")] = None,
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
     ] = Seen.HAND,
@@ -57,7 +63,7 @@ def region(
     json: AsJson = False,
     check: Check = False,
 ) -> None:
-    """Centre, contact and whole region of the closing motion, area and allowed position error."""
+    """Centre, contact and whole region of the closing motion, area and allowed position error; and how far they apply."""
     if out is not None:
         from palmar.faces.exports.region_file import known_ending
 
@@ -65,45 +71,59 @@ def region(
     name, given = open_case(case)
     if friction is not None:
         given = with_friction(given, friction, "--friction")
+    asked = questions(error, correlation, uncertainty, at, ends, pressure_offset)
     if compare is not None:
-        _compare(name, given, _models(compare), closure, out, json)
+        if asked != Questions() or theta is not None:
+            raise InputError("--compare", None, "compares regions alone, without a question or orientations")
+        _compare(name, given, models(compare), closure, out, json)
         return
-    result = build_region(given, model, closure, _orientations(theta), _tolerance(tolerance, given))
+    result, uncovered = _built(given, model, closure, (orientations(theta), fineness(tolerance, given)), asked)
+    found = answers(given, result, model, closure, asked)
     from_object = seen_from is Seen.OBJECT
-    if out is not None:
+    if result is None:
+        record: dict[str, Any] = {"model": model.value, "closure": closure.value, "centre": None, "reason": uncovered}
+        text, caught = f"No region: {uncovered}.", _any_caught(found)
+    else:
+        record, text = region_record(result, from_object=from_object), region_text(result)
+        caught = not result.centre.is_empty
+    record |= answers_record(given, found)
+    if out is not None and result is not None:
         from palmar.faces.exports.region_file import write_region
 
-        write_region(out, given, result, from_object=from_object)
-    written = [f"Written: {out}"] if out is not None else []
-    show(titled(name, given, region_text(result), *written), region_record(result, from_object=from_object), json)
-    answer(not result.centre.is_empty, check)
+        write_region(out, given, result, from_object=from_object, record=record)
+    written = [f"Written: {out}"] if out is not None and result is not None else []
+    show(titled(name, given, text, *answers_text(given, found), *written), record, json)
+    answer(caught, check)
 
 
-def _tolerance(text: str | None, case: Case) -> float | None:
-    """Millimetres -> m, within what can be computed and drawn for a hand of this size."""
-    if text is None:
-        return None
-    value, length = 1e-3 * number(text, "--tolerance"), case.hand.finger_length
-    if not FINEST * length <= value <= length:
-        allowed = f"must be from {1e3 * FINEST * length:.2g} to {1e3 * length:.4g} mm for this hand"
-        raise InputError("--tolerance", repr(text[:60]), allowed)
-    return value
+def _built(
+    case: Case,
+    model: Model,
+    closure: Closure,
+    finely: tuple[tuple[float, float] | None, float | None],
+    asked: Questions,
+) -> tuple[Region | None, str]:
+    """The region at (orientations, tolerance), or why there is none where the questions can be answered without."""
+    try:
+        return build_region(case, model, closure, *finely), ""
+    except NotCoveredError as error:
+        by_starts = asked.error is not None or (asked.ends and asked.uncertainty is not None)
+        if not by_starts:
+            raise
+        return None, str(error)
 
 
-def _models(text: str) -> list[Model]:
-    names = text.split(",")
-    known = [each.value for each in Model]
-    if len(names) != 2 or names[0] == names[1] or any(each not in known for each in names):
-        raise InputError("--compare", repr(text[:60]), f"must be two of {', '.join(known)}, with a comma between")
-    return [Model(each) for each in names]
+def _any_caught(found: Answers) -> bool:
+    by_chance = found.capture is not None and found.capture.nominal.probability > 0.0
+    return by_chance or (found.ends is not None and found.ends.caught > 0.0)
 
 
-def _compare(name: str, case: Case, models: list[Model], closure: Closure, out: Path | None, as_json: bool) -> None:
+def _compare(name: str, case: Case, sides: list[Model], closure: Closure, out: Path | None, as_json: bool) -> None:
     from palmar.studies.compare import compare_regions
 
     if out is not None and out.suffix.lower() not in (".svg", ".pdf", ".png"):
         raise InputError("--out", str(out), "a comparison is drawn as svg, pdf or png")
-    result = compare_regions(case, models, closure)
+    result = compare_regions(case, sides, closure)
     if out is not None:
         from palmar.faces.plots.compare_picture import compare_picture
         from palmar.faces.plots.style import save
@@ -111,17 +131,3 @@ def _compare(name: str, case: Case, models: list[Model], closure: Closure, out: 
         save(compare_picture(case, result), out)
     written = [f"Written: {out}"] if out is not None else []
     show(titled(name, case, comparison_text(result), *written), comparison_record(result), as_json)
-
-
-def _orientations(text: str | None) -> tuple[float, float] | None:
-    """Degrees, LOW..HIGH or all -> first and last orientation (rad)."""
-    if text is None:
-        return None
-    if text == "all":
-        return 0.0, 2.0 * math.pi
-    low, between, high = text.partition("..")
-    first = number(low, "--theta")
-    last = number(high, "--theta") if between else first
-    if not first <= last <= first + 360.0 or abs(first) > 1e4:
-        raise InputError("--theta", repr(text[:60]), "must be DEG, LOW..HIGH with at most 360 between, or all")
-    return math.radians(first), math.radians(last)

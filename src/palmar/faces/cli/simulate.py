@@ -10,7 +10,7 @@ import numpy as np
 from cyclopts import App, Parameter
 
 from palmar.errors import InputError
-from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, show
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, show
 from palmar.faces.cli.texts import table, titled
 from palmar.faces.records import simulation_record, starts_record
 from palmar.models.case import Case
@@ -70,25 +70,15 @@ def _place(case: Case, start: str | None, velocity: str | None) -> list[float]:
     x, y = case.start.at
     theta, (vx, vy) = case.start.theta, case.start.velocity
     if start is not None:
-        values = _numbers(start, "--start", (2, 3), "X_MM,Y_MM[,THETA_DEG]")
+        values = numbers(start, "--start", (2, 3), "X_MM,Y_MM[,THETA_DEG]")
         x, y = 1e-3 * values[0], 1e-3 * values[1]
         theta = math.radians(values[2]) if len(values) == 3 else theta
     if velocity is not None:
-        vx, vy = (1e-3 * each for each in _numbers(velocity, "--velocity", (2,), "VX,VY"))
+        vx, vy = (1e-3 * each for each in numbers(velocity, "--velocity", (2,), "VX,VY"))
     return [x, y, theta, vx, vy]
 
 
-def _numbers(text: str, option: str, counts: tuple[int, ...], form: str) -> list[float]:
-    parts = text.split(",")
-    if len(parts) not in counts:
-        raise InputError(option, repr(text[:60]), f"must be {form}")
-    values = [number(part, option) for part in parts]
-    if any(abs(value) > 1e6 for value in values):
-        raise InputError(option, repr(text[:60]), "numbers must be at most 1000000")
-    return values
-
-
 def _counts(codes: np.ndarray) -> str:
-    found, numbers = np.unique(codes, return_counts=True)
-    rows = [(Outcome.from_code(int(code)).value, str(count)) for code, count in zip(found, numbers, strict=True)]
+    found, amounts = np.unique(codes, return_counts=True)
+    rows = [(Outcome.from_code(int(code)).value, str(count)) for code, count in zip(found, amounts, strict=True)]
     return table([*rows, ("starts", str(len(codes)))])

@@ -26,8 +26,10 @@ def known_ending(path: Path) -> None:
         raise InputError("--out", str(path), f"the name must end in one of {', '.join(ENDINGS)}")
 
 
-def write_region(path: Path, case: Case, region: Region, *, from_object: bool = False) -> None:
-    """Write the region whole or not at all; lengths in mm, except json, which is the command's record in SI.
+def write_region(
+    path: Path, case: Case, region: Region, *, from_object: bool = False, record: dict[str, Any] | None = None
+) -> None:
+    """Write the region whole or not at all; lengths in mm, except json, which is the command's ``record`` in SI.
 
     Raises InputError for an unknown ending, OutputError where the file cannot be written.
     """
@@ -47,7 +49,7 @@ def write_region(path: Path, case: Case, region: Region, *, from_object: bool = 
     texts: dict[str, Callable[[], str]] = {
         ".geojson": lambda: _geojson(region, from_object),
         ".csv": lambda: _csv(region, from_object),
-        ".json": lambda: json.dumps(finite(region_record(region, from_object=from_object)), allow_nan=False),
+        ".json": lambda: json.dumps(finite(record or region_record(region, from_object=from_object)), allow_nan=False),
     }
     text = texts[ending]()
     write_whole(path, lambda partial: _write_text(partial, text))
