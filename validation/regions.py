@@ -18,6 +18,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import MultiPolygon
 
+from palmar.geometry.planar_set import areal
 from palmar.geometry.straight_finger import last_angle
 from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii
 from palmar.mechanics.pushing.closing import close_disk
@@ -26,12 +27,14 @@ from palmar.mechanics.pushing.closing_tables import ClosingHand, build_tables
 from palmar.mechanics.pushing.hand_pose import hand_motion
 from palmar.mechanics.pushing.limit_surface import disk_surface
 from palmar.mechanics.pushing.polygon_contacts import polygon_body
+from palmar.mechanics.pushing.slider import polygon_slider
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon
 from palmar.models.outcome import Outcome
 from palmar.regions.caging_core import caging_core
 from palmar.regions.closing_exact import exact_sets
 from palmar.regions.closing_sampled import sampled_sets
+from palmar.regions.pushed_core import pushed_core
 
 Floats = NDArray[np.float64]
 HANDS, SEED = 20, 20261126
@@ -129,7 +132,10 @@ def polygons(starts: int) -> int:
         sets = sampled_sets(motion, body, (0.0, 0.0), np.array([theta]), SPACING)
         spent = time.perf_counter() - begin
         thing = ConvexPolygon(shape="polygon", vertices=tuple(map(tuple, corners.tolist())))
-        core = caging_core(hand, thing, motion.last, theta, theta)
+        pushed = pushed_core(
+            hand.half_palm, hand.finger_length, 0.0, motion.last, polygon_slider(corners, (0.0, 0.0)), 0.7
+        )
+        core = areal(caging_core(hand, thing, motion.last, theta, theta) | pushed)
         box = MultiPolygon([shapely.box(-0.36, 0.0, 0.36, 0.34)])
         counts = []
         for area, good in ((sets.centre, True), (box - sets.outer, False), (core, True)):

@@ -49,3 +49,15 @@ def test_the_sources_figures_are_drawn(palmar, tmp_path):
     files = palmar("figures", "--out", tmp_path, "--json").record["files"]
     numbers = {re.search(r"(\d_\d)", name).group(1) for name in files}
     assert numbers == {"2_1", "2_2", "2_3", "2_4", "2_5", "2_6", "2_7", "2_8", "3_2", "3_3"}
+
+
+def test_regions_of_different_kinds_stand_side_by_side(palmar, tmp_path):
+    case = tmp_path / "range.toml"
+    case.write_text(
+        '[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\n[object]\nshape = "polygon"\n'
+        'vertices_mm = [[-30, -20], [30, -20], [30, 20], [-30, 20]]\n[contact]\nfriction = "0.4..0.7"\n'
+    )
+    answer = palmar("report", case, "--out", tmp_path / "page")
+    assert answer.status == 0
+    page = (tmp_path / "page" / "range.html").read_text()
+    assert "of it certain" in page and "17 combinations of contact.friction" in page

@@ -57,8 +57,9 @@ def _regions(report: Report) -> list[str]:
     if not caught:
         return parts
     parts.append(_picture(region_pictures(report.case, caught), "Regions from which the closing motion catches it"))
-    columns = [region_rows(each) for each in caught]
-    rows = [(cells[0][0], *(value for _, value in cells)) for cells in zip(*columns, strict=True)]
+    columns = [{row[0]: row[1] for row in region_rows(each)} for each in caught]
+    names = dict.fromkeys(name for column in columns for name in column)
+    rows = [(name, *(column.get(name, "") for column in columns)) for name in names]
     parts.append(_table(("", *(each.closure.value for each in caught)), rows))
     return parts + _notes(_distinct(caught))
 
