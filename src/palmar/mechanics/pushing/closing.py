@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import atan
 
-import numba
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -15,7 +15,7 @@ from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.limit_surface import LimitSurface
 
 Floats = NDArray[np.float64]
-FEW = 2000
+ROWS_PER_TASK = 20_000
 """Up to so many starts are carried without threads."""
 
 
@@ -28,17 +28,28 @@ class Ends:
     fingers: Floats
 
 
-def close_disk(hand: ClosingHand, surface: LimitSurface, starts: ArrayLike, tables: Tables | None = None) -> Ends:
+def close_disk(
+    hand: ClosingHand, surface: LimitSurface, starts: ArrayLike, tables: Tables | None = None, threads: int = 2
+) -> Ends:
     """Close a straight-fingered crossing hand on a disk from each start (N, 2), its centre in m; see closing_disk.
 
     ``surface`` must be rotationally symmetric about the disk's centre. ``tables`` may be passed to save building them
-    again for the same hand and surface.
+    again for the same hand and surface. Rows are independent, so the result does not depend on ``threads``.
     """
     hand = ClosingHand(*map(float, hand))
     places = np.ascontiguousarray(starts, dtype=float)
     codes, ends = np.empty(len(places), np.int8), np.empty((len(places), 5))
-    kernel = close_on_few if len(places) <= FEW else close_on_disks
-    kernel(hand, tables or build_tables(hand, surface), atan(hand.friction), places, codes, ends)
+    known, alpha = tables or build_tables(hand, surface), atan(hand.friction)
+
+    def part(first: int) -> None:
+        some = slice(first, first + ROWS_PER_TASK)
+        close_on_few(hand, known, alpha, places[some], codes[some], ends[some])
+
+    if len(places) <= ROWS_PER_TASK:
+        part(0)
+    else:
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(part, range(0, len(places), ROWS_PER_TASK)))
     return Ends(codes, ends[:, :3], ends[:, 3:])
 
 
@@ -46,7 +57,7 @@ def close_disk(hand: ClosingHand, surface: LimitSurface, starts: ArrayLike, tabl
 def close_on_few(
     hand: ClosingHand, tables: Tables, alpha: float, starts: Floats, codes: NDArray[np.int8], ends: Floats
 ) -> None:
-    """``close_on_disks`` without threads, whose launch costs more than a few starts do."""
+    """Batch on one thread: ``starts`` (N, 2) -> ``codes`` (N,) and ``ends`` (N, 5) = x, y, theta, right, left."""
     for k in range(len(starts)):
         _store(close_on_disk(hand, tables, alpha, starts[k, 0], starts[k, 1]), codes, ends, k)
 
@@ -56,12 +67,3 @@ def _store(end: End, codes: NDArray[np.int8], ends: Floats, k: int) -> None:
     codes[k] = end.code
     ends[k, 0], ends[k, 1], ends[k, 2] = end.x, end.y, end.theta
     ends[k, 3], ends[k, 4] = end.right, end.left
-
-
-@numba.njit(parallel=True, cache=True, error_model="numpy")
-def close_on_disks(
-    hand: ClosingHand, tables: Tables, alpha: float, starts: Floats, codes: NDArray[np.int8], ends: Floats
-) -> None:
-    """Batch: ``starts`` (N, 2) -> ``codes`` (N,) and ``ends`` (N, 5) = x, y, theta, right, left; parallel, no order."""
-    for k in numba.prange(len(starts)):
-        _store(close_on_disk(hand, tables, alpha, starts[k, 0], starts[k, 1]), codes, ends, k)
