@@ -11,6 +11,7 @@ from palmar.faces.plots.lettering import square_millimetres
 from palmar.faces.plots.sheet import MARGIN, Extent, Pad, Room, sheet
 from palmar.faces.plots.style import Role
 from palmar.models.case import Case
+from palmar.regions.region import Region
 from palmar.studies.compare import Comparison, Difference
 
 _LOOKS = ((Role.CENTRE, "-", True), (Role.DIMENSION, (0, (4, 1.5)), False), (Role.CONTACT, (0, (1, 1.2)), False))
@@ -23,7 +24,7 @@ def compare_picture(case: Case, comparison: Comparison) -> Figure:
     lost = Band(Role.LOST, "promised, but lost", 2.0, dashes=(0, (2.5, 1.5)))
     more = Band(Role.HELD, "caught, but not promised", 1.0, dashes=(0, (1, 1)))
     models = [
-        (region, Band(role, f"{region.model.value} model, {square_millimetres(region.area)}", 3.0, filled, dashes))
+        (region, Band(role, _words(region), 0.0 if filled else 3.0, filled, dashes))
         for region, (role, dashes, filled) in zip(comparison.regions, _LOOKS, strict=False)
     ]
     bands = [*(band for _, band in models), *([lost] if broken else []), *([more] if kept else [])]
@@ -48,6 +49,10 @@ def compare_picture(case: Case, comparison: Comparison) -> Figure:
     draw_hand(axes, case.hand, case.hand.open)
     legend(page, (MARGIN, page.box(axes).bottom), bands)
     return page.figure
+
+
+def _words(region: Region) -> str:
+    return f"{region.model.value} model, {square_millimetres(region.area)}"
 
 
 def _sentence(each: Difference) -> str:
