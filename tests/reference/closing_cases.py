@@ -84,7 +84,7 @@ class Question:
         """Whether the event-to-event kernel takes it too."""
         straight = not any(self.offsets) and not any(self.ratios)
         thin = self.half_thickness == 0.0 or self.friction == 0.0
-        return not self.vertices and straight and thin and self.crossing
+        return not self.vertices and straight and thin
 
     def moved(self, x: float, y: float, theta: float) -> Question:
         """The same from a start a little aside."""
@@ -121,10 +121,10 @@ def by_steps(question: Question, tolerance: float = 1e-7) -> Answer:
 
 def by_events(question: Question) -> Answer:
     """The event-to-event kernel's answer."""
-    last = question.motion.last
+    motion = question.motion
     hand = ClosingHand(
         question.half_palm, sum(question.links), question.half_thickness, question.radius, question.friction,
-        question.first, last,
+        question.first, motion.last, motion.alone,
     )  # fmt: skip
     x, y, theta = question.start
     ends = close_disk(hand, disk_surface(question.radius), [(x, y)])

@@ -19,7 +19,7 @@ class Fingers(Enum):
     CROSSING = "crossing"
     """They move in parallel planes and may cross (assumption 3 of section 2.1)."""
     COLLIDING = "colliding"
-    """They move in one plane and stop when they meet on the axis of symmetry."""
+    """They move in one plane and stop where they meet: on the axis of symmetry, or past it if one has stalled before."""
 
 
 Angle = Annotated[Real, Field(ge=-2.0 * pi, le=2.0 * pi)]

@@ -20,19 +20,12 @@ from reference.slow_model import Hand, Object, disk_support
 SEED, CASES = 7, 36
 AT_THE_EDGE = {14}
 """Fingers reach 90 degrees plus the friction angle just as an edge comes to lie flush: one holds, the other lets slip."""
-ALONE = {2: "a colliding finger stops at the axis though the other, stalled short of it, is not there to be met"}
 HELD = ("structural", "frictional")
 QUICK = replace(COARSE, most_steps=120_000)
 """More steps than a case that can be compared needs."""
 
 
-NUMBERED = [
-    pytest.param(k, question, marks=pytest.mark.xfail(reason=ALONE[k], strict=True) if k in ALONE else (), id=str(k))
-    for k, question in enumerate(questions(CASES, SEED))
-]
-
-
-@pytest.mark.parametrize(("number", "question"), NUMBERED)
+@pytest.mark.parametrize(("number", "question"), [*enumerate(questions(CASES, SEED))])
 def test_kernels_end_as_the_reference_does(number: int, question: Question) -> None:
     reference = by_reference(question, QUICK)
     for kernel in [by_steps(question), *([by_events(question)] if question.by_events else [])]:

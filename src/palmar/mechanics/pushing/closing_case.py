@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import pi
-
 from palmar.geometry.straight_finger import last_angle
 from palmar.mechanics.pushing.closing_tables import ClosingHand
 from palmar.mechanics.pushing.hand_pose import HandMotion, hand_motion
@@ -14,8 +12,12 @@ def closing_hand(hand: Hand, radius: float, friction: float) -> ClosingHand:
     """For the event-to-event kernel, with the disk's radius (m) and the friction."""
     crossing = hand.fingers is Fingers.CROSSING
     h = hand.half_thickness
-    last = float(last_angle(hand.half_palm, hand.finger_length, h, crossing, hand.base_limits[1]))
-    return ClosingHand(hand.half_palm, hand.finger_length, h, radius, friction, hand.open, min(last, pi))
+    alone, met = (
+        float(last_angle(hand.half_palm, hand.finger_length, h, passes, hand.base_limits[1]))
+        for passes in (True, False)
+    )
+    ends = (alone, 0.0) if crossing else (met, alone)
+    return ClosingHand(hand.half_palm, hand.finger_length, h, radius, friction, hand.open, *ends)
 
 
 def straight_motion(hand: Hand) -> HandMotion:

@@ -11,9 +11,9 @@ contact above the disk's equator:
 - palm: kept on the palm by link or tip, x follows from psi; wedged where half the angle between palm and finger's
   tangent at the disk is at most alpha; then the other finger goes on alone.
 
-Fingers that collide instead of crossing only end earlier. A start behind a finger that is open by more than 0, and is hit
-by the other one from outside, is left ``UNDECIDED``; such starts, polygons, bent links and uneven pressure are for the
-stepping kernel.
+Fingers that collide instead of crossing only end earlier (``meeting``). A start behind a finger that is open by more than 0,
+and is hit by the other one from outside, is left ``UNDECIDED``; such starts, polygons, bent links and uneven pressure are
+for the stepping kernel.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from palmar.mechanics.pushing.closing_tip import HALF, falling_from, tip_lean, t
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.first_touch import first_touch, overlaps
 from palmar.mechanics.pushing.interpolation import between
+from palmar.mechanics.pushing.meeting import straight_travel_end
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
@@ -236,8 +237,9 @@ def _wedged(hand: ClosingHand, x: float, theta: float, right: float) -> End:
     """
     rho = hand.radius + hand.half_thickness
     left, along = first_touch(hand.half_palm, hand.length, rho, -x, hand.radius)
-    if not left <= hand.last:
-        return End(FRICTIONAL, x, hand.radius, theta, right, hand.last)
+    end = straight_travel_end(hand, right)
+    if not left <= end:
+        return End(FRICTIONAL, x, hand.radius, theta, right, end)
     rise = hand.radius - hand.length * sin(left)
     if along <= hand.length or rise <= 0.0:
         return End(STRUCTURAL, x, hand.radius, theta, right, left)

@@ -47,7 +47,9 @@ def _carry_on(
     for k in range(len(angles)):
         if angles[k] < s[TIME]:
             continue
-        _, branches = follow(hand._replace(last=float(angles[k])), body, at, scale, MOST_STEPS, len(waiting))
+        angle = float(angles[k])
+        part = hand._replace(last=min(angle, hand.last), alone=min(angle, hand.alone))
+        _, branches = follow(part, body, at, scale, MOST_STEPS, len(waiting))
         waiting.extend([rows] * (branches - len(waiting)))
         right = angles[k] if s[RIGHT] == MOVING else s[RIGHT]
         left = angles[k] if s[LEFT] == MOVING else s[LEFT]

@@ -55,6 +55,7 @@ from palmar.mechanics.pushing.closing_touch import first_change, first_touch
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
+from palmar.mechanics.pushing.meeting import travel_end
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, scale_of
 from palmar.models.outcome import Outcome
 
@@ -133,10 +134,10 @@ def _go_on(at: Bench, h: float, part: float, last: float) -> None:
 
 @compiled
 def _ahead(
-    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, speed: float, h: float
+    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, speed: float, h: float, left: float
 ) -> tuple[float, float, int]:
-    """The stride to take from the state, h the last proposal: as ``stride``; at rest up to the motion's end, or an arc."""
-    left, at.pivot[0] = hand.last - at.state[TIME], 0.0
+    """The stride to take from the state, h the last proposal: as ``stride``; at rest the whole time ``left``, or an arc."""
+    at.pivot[0] = 0.0
     if speed == 0.0:
         at.stages[:] = 0.0
         return left, FIRST_STRIDE, 7
@@ -154,14 +155,16 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
     at.loads[:] = 0.0
     if count > 0:
         _, count = settle_and_look(hand, body, at, count, scale)
+    last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
     for _ in range(most_steps):
-        if s[TIME] >= hand.last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
+        if s[TIME] >= last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
             return True, branches
         speed = write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
         number = full_twist(body, at, count, speed, (s[VX], s[VY], s[OMEGA]))
         if number <= 0:
             s[FLAGS] = int(s[FLAGS]) | (UNSOLVED if number < 0 else 0)
             stall(hand, body, at, count, scale.skin)
+            last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
             continue
         if number > 1:
             branches = _branch(at, number, branches)
@@ -172,10 +175,11 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
         if pinch(hand, body, at, count, scale.skin):
             _, count = settle_and_look(hand, body, at, count, scale)
             stall(hand, body, at, count, scale.skin)
+            last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
             continue
-        h, proposal, over = _ahead(hand, body, at, count, scale, speed, h)
+        h, proposal, over = _ahead(hand, body, at, count, scale, speed, h, last - s[TIME])
         part = _cut(hand, body, at, count, scale, h, over)
-        _go_on(at, h, part, hand.last)
+        _go_on(at, h, part, last)
         if speed > 0.0 and at.pivot[0] == 0.0:
             least, count = settle_and_look(hand, body, at, count, scale)
         else:

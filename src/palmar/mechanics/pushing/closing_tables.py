@@ -28,7 +28,10 @@ TIP_NODES, LINK_NODES, PALM_NODES, PALM_SAMPLES = 2049, 1025, 257, 64
 
 
 class ClosingHand(NamedTuple):
-    """Half palm D, finger length L, half thickness h, disk radius R (m), friction, first and last base angle (rad)."""
+    """Half palm D, finger length L, half thickness h, disk radius R (m), friction, first and last base angle (rad).
+
+    ``alone`` is where a finger would end if the other were not there to be met; 0: they pass each other (``meeting``).
+    """
 
     half_palm: float
     length: float
@@ -37,6 +40,7 @@ class ClosingHand(NamedTuple):
     friction: float
     first: float
     last: float
+    alone: float = 0.0
 
 
 class Tables(NamedTuple):

@@ -28,7 +28,8 @@ class HandMotion(NamedTuple):
     """A prescribed closing motion, lengths in m, angles in rad.
 
     ``links`` from the base to the tip; joint j counts from straight and is at ``offsets[j] + ratios[j] (psi - first)``,
-    entry 0 is the base joint and is 0. The base slides by (vx, vy) per radian; ``last`` ends the motion.
+    entry 0 is the base joint and is 0. The base slides by (vx, vy) per radian; ``last`` ends the motion. ``alone`` is where
+    a finger would end if the other were not there to be met; 0: they pass each other (``meeting``).
     """
 
     half_palm: float
@@ -40,6 +41,7 @@ class HandMotion(NamedTuple):
     ratios: Floats
     vx: float
     vy: float
+    alone: float = 0.0
 
 
 def hand_motion(
@@ -70,7 +72,8 @@ def hand_motion(
         float(half_palm), lengths, float(half_thickness), float(first), float(limit),
         np.concatenate([[0.0], bends]), np.concatenate([[0.0], turns]), float(velocity[0]), float(velocity[1]),
     )  # fmt: skip
-    return motion._replace(last=_end_of_travel(motion, colliding))
+    alone = _end_of_travel(motion, False)
+    return motion._replace(last=_end_of_travel(motion, True), alone=alone) if colliding else motion._replace(last=alone)
 
 
 def _end_of_travel(motion: HandMotion, colliding: bool) -> float:

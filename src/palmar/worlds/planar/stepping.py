@@ -44,7 +44,8 @@ class SteppingWorld:
 
     def trace(self, start: tuple[float, float, float], frames: int) -> Trace:
         """Poses of the object's frame at ``frames`` equal steps of the closing angle."""
-        angles = np.linspace(self.motion.first, self.motion.last, frames)
+        last = max(self.motion.last, float(self.ends([start]).fingers.max()))
+        angles = np.linspace(self.motion.first, last, frames)
         poses, fingers = carry_frames(
             self.motion, self.body, moved_poses(self.centre, np.array([start]), 1.0)[0], angles
         )

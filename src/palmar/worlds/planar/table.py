@@ -28,7 +28,9 @@ class TableWorld:
 
     def ends(self, starts: ArrayLike, *, last: float | None = None) -> Ends:
         """How each start (N, 2), in m, ends; ``last`` (rad) stops the fingers earlier."""
-        hand = self.hand if last is None else self.hand._replace(last=min(last, self.hand.last))
+        hand = self.hand
+        if last is not None:
+            hand = hand._replace(last=min(last, hand.last), alone=min(last, hand.alone))
         return close_disk(hand, self.surface, starts, self.tables)
 
 
@@ -66,7 +68,8 @@ class Trace:
 
 def trace(world: TableWorld, start: tuple[float, float], frames: int) -> Trace:
     """Poses at ``frames`` equal steps of the closing angle: the motion stopped at each of them."""
-    angles = np.linspace(world.hand.first, world.hand.last, frames)
+    last = max(world.hand.last, float(world.ends([start]).fingers.max()))
+    angles = np.linspace(world.hand.first, last, frames)
     ends = [world.ends([start], last=float(angle)) for angle in angles]
     poses = np.concatenate([each.poses for each in ends])
     fingers = np.concatenate([each.fingers for each in ends])
