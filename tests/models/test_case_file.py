@@ -8,11 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from palmar.errors import InputError
-from palmar.models.case import Behaviour, Case, Range, SensorLayout, Sensors, Start
+from palmar.models.case import Behaviour, Case, Range, Start
 from palmar.models.case_file import LARGEST_FILE, dump_case, parse_case, read_case
 from palmar.models.contact import Contact
 from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import ConvexPolygon, Disk
+from palmar.models.sensors import SensorLayout, Sensors
 from palmar.models.shipped import description, open_case, shipped_names, shipped_text
 from palmar.models.support import Pressure, Support, SupportKind
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from enum import Enum
 from itertools import product
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from palmar.models.contact import Contact
 from palmar.models.hand import Hand
 from palmar.models.objects import Object
 from palmar.models.quantity import Coordinate, Point, Real, Unit, Value
+from palmar.models.sensors import Sensors
 from palmar.models.support import Support
 
 
@@ -22,25 +23,6 @@ class Start(Value):
     at: Annotated[Point, Unit.MILLIMETRE] = (0.0, 0.12)
     theta: Annotated[Real, Field(ge=-100.0, le=100.0), Unit.DEGREE] = 0.0
     velocity: Annotated[tuple[Coordinate, Coordinate], Unit.MILLIMETRE_PER_SECOND] = (0.0, 0.0)
-
-
-class SensorLayout(Enum):
-    """Where the hand feels: presets of binary contact sensors."""
-
-    NONE = "none"
-    PALM = "palm"
-    TIPS = "tips"
-    DISTRIBUTED = "distributed"
-    """Each link in three equal stretches, the palm one stretch, no dead zones."""
-    FULL = "full"
-
-
-class Sensors(Value):
-    """Sensor layout, the displacement the object suffers before a bit is seen, and the pose error of the hand."""
-
-    layout: SensorLayout = SensorLayout.NONE
-    displacement: Annotated[Real, Field(ge=0.0, le=1.0), Unit.MILLIMETRE] = 0.0
-    pose_error: Annotated[Real, Field(ge=0.0, le=1.0), Unit.MILLIMETRE] = 0.0
 
 
 class BehaviourName(Enum):
@@ -75,6 +57,11 @@ class Case(Value):
     sensors: Sensors = Sensors()
     behaviour: Behaviour = Behaviour()
     ranges: tuple[Range, ...] = ()
+
+    @model_validator(mode="after")
+    def _sensors_on_the_hand(self) -> Self:
+        self.sensors.stretches(self.hand)
+        return self
 
     def corners(self) -> Iterator[Case]:
         """Every combination of the ranges' ends, as cases without ranges (just this case if it has none)."""

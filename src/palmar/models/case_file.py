@@ -12,12 +12,13 @@ from typing import Any
 from pydantic import ValidationError
 
 from palmar.errors import InputError
-from palmar.models.case import Behaviour, Case, Range, Sensors, Start
+from palmar.models.case import Behaviour, Case, Range, Start
 from palmar.models.contact import Contact
 from palmar.models.explain import explain
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.quantity import Unit, Value, file_key, unit_of
+from palmar.models.sensors import Sensors
 from palmar.models.support import Support
 
 LARGEST_FILE = 1_000_000
@@ -55,6 +56,11 @@ def parse_case(text: str, name: str = "case") -> Case:
             raise InputError(f"{name}: [{section}]", None, "is missing, every case needs this section")
     if len(ranges) > MOST_RANGES:
         raise InputError(name, f"{len(ranges)} ranges", f"at most {MOST_RANGES} numbers may be ranges")
+    try:
+        case = Case.model_validate(parts)
+    except ValidationError as error:
+        message = error.errors()[0]["msg"].removeprefix("Value error, ")
+        raise InputError(name, None, message) from None
     try:
         case = Case.model_validate({**parts, "ranges": tuple(ranges)})
         list(case.corners())
