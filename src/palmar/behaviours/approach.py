@@ -1,0 +1,110 @@
+"""What an approach tells: the hand goes straight towards the object until it feels it.
+
+A belief is the set of places, in the hand frame, where the object's centre may be. The hand lines up beside it, below
+everything it could touch, and goes along its y axis. Where the centre lies decides alone what is touched first, by the
+hand's ``profile``; when that sensor fires, the centre is on its piece of the profile, straight under where it was. So
+one approach turns a belief of any depth into a curve, and cuts its width at the ends of the stretches.
+
+The object is taken to stay while it is touched (massive, or felt before it is pushed); it may move by at most the
+sensors' displacement before it is felt, in any direction. The hand may be off its commanded pose by the pose error,
+each time it moves. Every belief is in the frame of the commanded pose.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import LineString, affinity
+from shapely.geometry.base import BaseGeometry
+
+from palmar.regions.profile import DEAD, Piece, Profile
+
+Floats = NDArray[np.float64]
+ARC = 8
+"""Chords to a quarter circle where a belief is grown; it is grown by that much more."""
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """Displacement of the object before it is felt, and pose error of the hand (m)."""
+
+    displacement: float = 0.0
+    pose_error: float = 0.0
+
+
+@dataclass(frozen=True)
+class Felt:
+    """What an approach may end with: the sensor's number, None if nothing was touched; the belief seen from there."""
+
+    sensor: int | None
+    belief: BaseGeometry
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """An approach from (x, y) (m, in the hand frame before it) over at most ``distance`` (m), and all it may end with."""
+
+    x: float
+    y: float
+    distance: float
+    felt: tuple[Felt, ...]
+
+
+def sweep(belief: BaseGeometry, profile: Profile, x: float, doubt: Doubt) -> Sweep | None:
+    """An approach beside x that goes on until all that can be touched has been.
+
+    None where a part of the hand without a sensor may touch: the object would be pushed unfelt.
+    """
+    seen = affinity.translate(grow(belief, doubt.pose_error), -x)
+    _, low, _, high = seen.bounds
+    begin = low - profile.top - profile.flattening
+    distance = high - profile.bottom - begin
+    felt: dict[int, list[LineString]] = {}
+    for piece in profile.pieces:
+        spans = _spans(seen, piece)
+        if spans and piece.owner == DEAD:
+            return None
+        felt.setdefault(piece.owner, []).extend(_cut(piece, *span) for span in spans)
+    growth = profile.flattening + doubt.displacement + doubt.pose_error
+    found = [Felt(owner, grow(shapely.union_all(curves), growth)) for owner, curves in felt.items() if curves]
+    beside = shapely.difference(seen, shapely.box(profile.left, low, profile.right, high))
+    if beside.area > 0.0:
+        found.append(Felt(None, affinity.translate(beside, 0.0, -begin - distance)))
+    return Sweep(x, begin, distance, tuple(found))
+
+
+def grow(belief: BaseGeometry, distance: float) -> BaseGeometry:
+    """At least the Minkowski sum with a disk of radius ``distance`` (m)."""
+    if distance <= 0.0:
+        return belief
+    return belief.buffer(distance / np.cos(np.pi / (4 * ARC)), quad_segs=ARC)
+
+
+def _spans(belief: BaseGeometry, piece: Piece) -> list[tuple[float, float]]:
+    """The intervals of x over which the belief lies above a piece."""
+    low, high = float(piece.points[0, 0]), float(piece.points[-1, 0])
+    left, bottom, right, top = belief.bounds
+    if right <= low or left >= high:
+        return []
+    inside = shapely.intersection(belief, shapely.box(low, bottom - 1.0, high, top + 1.0))
+    spans = [(each.bounds[0], each.bounds[2]) for each in shapely.get_parts(inside) if each.area > 0.0]
+    joined: list[tuple[float, float]] = []
+    for begin, end in sorted(spans):
+        if joined and begin <= joined[-1][1]:
+            joined[-1] = joined[-1][0], max(end, joined[-1][1])
+        else:
+            joined.append((begin, end))
+    return joined
+
+
+def _cut(piece: Piece, begin: float, end: float) -> LineString:
+    """The part of a piece over an interval of x."""
+    x, y = piece.points[:, 0], piece.points[:, 1]
+    inner = (x > begin) & (x < end)
+    ends = np.clip([begin, end], x[0], x[-1])
+    heights = np.interp(ends, x, y)
+    points = np.vstack([[ends[0], heights[0]], piece.points[inner], [ends[1], heights[1]]])
+    return LineString(points)

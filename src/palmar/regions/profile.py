@@ -1,0 +1,172 @@
+"""The profile of a hand: how far towards it a disk's centre can come, at each place across the way.
+
+The hand moves along its y axis towards a disk that stays where it is. Seen from the hand the centre comes straight down,
+and stops where it is a radius away from something first: on the upper envelope of the hand grown by R. Each piece of the
+envelope belongs to the stretch of the hand that is touched there. Arcs are replaced by chords below them, so that the
+true place is at most ``flattening`` farther out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import atan2, cos, hypot, pi, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.models.hand import Hand
+from palmar.models.sensors import Stretch
+
+Floats = NDArray[np.float64]
+Span = tuple[int, float, float, float, float]
+"""Curve, and the ends (x, y), (x', y') of the part of it that is highest."""
+QUARTER = 24
+"""Chords to a quarter circle."""
+DEAD = -1
+"""Owner of a piece without a sensor."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A polyline (K, 2), x rising, of the envelope in the hand frame (m), and the sensor that is touched there, or DEAD."""
+
+    owner: int
+    points: Floats
+
+
+@dataclass(frozen=True)
+class Profile:
+    """The pieces from left to right; beyond the first and last point nothing is touched."""
+
+    pieces: tuple[Piece, ...]
+    flattening: float
+
+    @property
+    def left(self) -> float:
+        """The lowest x (m) at which something is touched."""
+        return float(self.pieces[0].points[0, 0])
+
+    @property
+    def right(self) -> float:
+        """The highest."""
+        return float(self.pieces[-1].points[-1, 0])
+
+    @property
+    def top(self) -> float:
+        """Highest point (m) of the envelope."""
+        return max(float(each.points[:, 1].max()) for each in self.pieces)
+
+    @property
+    def bottom(self) -> float:
+        """Lowest point (m) of the envelope."""
+        return min(float(each.points[:, 1].min()) for each in self.pieces)
+
+    def heights(self, x: Floats) -> Floats:
+        """Height (m) of the envelope at each x (N,); -inf where nothing is touched."""
+        found = np.full(np.shape(x), -np.inf)
+        for each in self.pieces:
+            at = np.interp(x, each.points[:, 0], each.points[:, 1], left=-np.inf, right=-np.inf)
+            found = np.maximum(found, at)
+        return found
+
+
+def profile(hand: Hand, radius: float, stretches: tuple[Stretch, ...], opening: float) -> Profile:
+    """The profile of a hand with both straight fingers at the base angle ``opening`` (rad) for a disk (radius in m)."""
+    flattening = (radius + hand.half_thickness) * (1.0 - cos(pi / (4.0 * QUARTER)))
+    return Profile(tuple(_envelope(_curves(hand, radius, stretches, opening))), flattening)
+
+
+def _curves(hand: Hand, radius: float, stretches: tuple[Stretch, ...], opening: float) -> list[tuple[int, Floats]]:
+    """The upper boundary of every grown stretch of the palm and the links."""
+    d, rho = hand.half_palm, radius + hand.half_thickness
+    curves = _of_body("palm", (-d, 0.0), (2.0 * d, 0.0), radius, stretches)
+    for side, name in ((1.0, "right"), (-1.0, "left")):
+        x, y = side * d, 0.0
+        for k, length in enumerate(hand.finger_links):
+            along = (side * length * cos(opening), length * sin(opening))
+            curves += _of_body(f"{name}_{k + 1}", (x, y), along, rho, stretches)
+            x, y = x + along[0], y + along[1]
+    return curves
+
+
+def _of_body(
+    body: str, at: tuple[float, float], along: tuple[float, float], rho: float, stretches: tuple[Stretch, ...]
+) -> list[tuple[int, Floats]]:
+    """Offset lines over the stretches of one straight body, dead ones between them, and the caps at its ends."""
+    length = hypot(*along)
+    cuts = sorted(
+        (max(each.begin, 0.0), min(each.end or length, length), k)
+        for k, each in enumerate(stretches)
+        if each.body == body
+    )
+    parts, done = [], 0.0
+    for begin, end, owner in cuts:
+        if begin > done + 1e-9 * length:
+            parts.append((done, begin, DEAD))
+        parts.append((max(begin, done), end, owner))
+        done = max(done, end)
+    if done < length * (1.0 - 1e-9):
+        parts.append((done, length, DEAD))
+    unit = np.array(along) / length
+    normal = np.array([-unit[1], unit[0]])
+    if normal[1] < 0.0 or (normal[1] == 0.0 and normal[0] < 0.0):
+        normal = -normal
+    place, curves = np.array(at), []
+    for begin, end, owner in parts:
+        ends = place + unit * np.array([[begin], [end]]) + rho * normal
+        if abs(ends[1, 0] - ends[0, 0]) > 1e-12 * length:
+            curves.append((owner, ends[np.argsort(ends[:, 0])]))
+    for centre, owner in ((place, parts[0][2]), (place + unit * length, parts[-1][2])):
+        angles = np.linspace(pi, 0.0, 2 * QUARTER + 1)
+        angles = np.sort(np.append(angles, atan2(normal[1], normal[0])))[::-1]
+        curves.append((owner, centre + rho * np.stack([np.cos(angles), np.sin(angles)], axis=1)))
+    return curves
+
+
+def _envelope(curves: list[tuple[int, Floats]]) -> list[Piece]:
+    """The upper envelope of polylines, cut where the owner changes or where it jumps."""
+    cuts = np.unique(np.concatenate([points[:, 0] for _, points in curves]))
+    cuts = cuts[np.concatenate([[True], np.diff(cuts) > 1e-12 * (cuts[-1] - cuts[0])])]
+    at = np.array([np.interp(cuts, p[:, 0], p[:, 1], left=np.nan, right=np.nan) for _, p in curves])
+    low, high = at[:, :-1], at[:, 1:]
+    there = np.isfinite(low) & np.isfinite(high)
+    low, high = np.where(there, low, -np.inf), np.where(there, high, -np.inf)
+    spans: list[Span] = []
+    for k in np.flatnonzero(there.any(axis=0)):
+        lines = np.flatnonzero(there[:, k])
+        for here, *ends in _over_span(low[lines, k], high[lines, k], float(cuts[k]), float(cuts[k + 1])):
+            spans.append((int(lines[int(here)]), ends[0], ends[1], ends[2], ends[3]))
+    return _joined(spans, [owner for owner, _ in curves])
+
+
+def _over_span(low: Floats, high: Floats, begin: float, end: float) -> list[Span]:
+    """The upper envelope of lines over one span: (line, x, y, x', y') from left to right."""
+    rise = high - low
+    here, share, found = int(np.lexsort((high, low))[-1]), 0.0, []
+    while True:
+        value, gain = low + share * rise, rise - rise[here]
+        steeper = gain > 0.0
+        meets = np.full(len(low), np.inf)
+        meets[steeper] = share + (value[here] - value[steeper]) / gain[steeper]
+        meets[meets <= share + 1e-12] = np.inf
+        after = int(np.argmin(meets))
+        stop = min(float(meets[after]), 1.0)
+        ends = [begin + each * (end - begin) for each in (share, stop)]
+        heights = [float(low[here] + each * rise[here]) for each in (share, stop)]
+        found.append((here, ends[0], heights[0], ends[1], heights[1]))
+        if stop >= 1.0 - 1e-12:
+            return found
+        share, here = stop, after
+
+
+def _joined(spans: list[Span], owners: list[int]) -> list[Piece]:
+    """Neighbouring spans of one owner, where they meet, as one piece."""
+    pieces: list[tuple[int, list[tuple[float, float]]]] = []
+    for curve, x, y, x_end, y_end in spans:
+        if pieces and pieces[-1][0] == owners[curve]:
+            last_x, last_y = pieces[-1][1][-1]
+            if abs(last_x - x) < 1e-9 and abs(last_y - y) < 1e-9:
+                pieces[-1][1].append((x_end, y_end))
+                continue
+        pieces.append((owners[curve], [(x, y), (x_end, y_end)]))
+    return [Piece(owner, np.array(points)) for owner, points in pieces]

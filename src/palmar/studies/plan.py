@@ -1,0 +1,83 @@
+"""A plan that certainly ends in a grasp: from a case and a set of places to the policy with the fewest approaches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import radians
+
+import numpy as np
+import shapely
+from shapely import Polygon
+from shapely.geometry.base import BaseGeometry
+
+from palmar.behaviours.approach import Doubt
+from palmar.behaviours.placing import target
+from palmar.behaviours.search import Found, Opening, Planner
+from palmar.errors import NotCoveredError
+from palmar.geometry.planar_set import areal
+from palmar.models.case import Case
+from palmar.models.closure import Closure
+from palmar.models.objects import Disk
+from palmar.models.sensors import Stretch
+from palmar.models.support import SupportKind
+from palmar.regions.exact import exact_region
+from palmar.regions.profile import Profile, profile
+
+OTHER_OPENINGS = tuple(radians(each) for each in (30.0, 60.0, 75.0))
+"""Base angles (rad) tried beside the case's own."""
+COARSE = 1e-4
+"""Flattening of the regions closed from, as a share of the finger's length."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What the search found, the sensors it speaks of, and what it assumes of them."""
+
+    found: Found
+    stretches: tuple[Stretch, ...]
+    doubt: Doubt
+
+
+def plan(
+    case: Case, uncertainty: BaseGeometry, at: tuple[float, float], most: int, closure: Closure = Closure.FRICTIONAL
+) -> Plan:
+    """The plan for an object whose centre is at ``at`` (m, hand frame) up to the set of errors ``uncertainty`` (m).
+
+    Raises NotCoveredError for objects that are no disks.
+    """
+    planner, stretches = planner_of(case, closure)
+    belief = shapely.affinity.translate(uncertainty, *at)
+    return Plan(planner.plan(belief, most), stretches, planner.doubt)
+
+
+def planner_of(case: Case, closure: Closure = Closure.FRICTIONAL) -> tuple[Planner, tuple[Stretch, ...]]:
+    """What the search needs of a case: for every opening the profile and the region; and the sensors."""
+    if not isinstance(case.object, Disk) or case.support.pressure_centre != (0.0, 0.0):
+        raise NotCoveredError("plans are for disks pressed about their centre: the sensors' regions need a radius")
+    if case.support.kind is not SupportKind.TABLE or case.ranges:
+        raise NotCoveredError("plans are for objects on a table, and plain numbers")
+    stretches = case.sensors.stretches(case.hand)
+    low, high = case.hand.base_limits
+    angles = dict.fromkeys((case.hand.open, *(each for each in OTHER_OPENINGS if low <= each < high)))
+    openings = tuple(_opening(case, case.object.radius, stretches, angle, closure) for angle in angles)
+    return Planner(openings, Doubt(case.sensors.displacement, case.sensors.pose_error)), stretches
+
+
+def _opening(case: Case, radius: float, stretches: tuple[Stretch, ...], angle: float, closure: Closure) -> Opening:
+    opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": angle})})
+    region = exact_region(opened, closure, COARSE * case.hand.finger_length).centre
+    seen = profile(case.hand, radius, stretches, angle)
+    return Opening(angle, seen, target(areal(region.intersection(above(seen, 10.0 * case.hand.finger_length)))))
+
+
+def above(seen: Profile, height: float) -> BaseGeometry:
+    """Centres (m) that the hand, coming straight up to where it is, has not touched: over the profile, or beside it."""
+    over = []
+    for piece in seen.pieces:
+        (left, *_, right), lifted = piece.points[:, 0], piece.points + np.array([0.0, seen.flattening])
+        over.append(Polygon([*lifted, (right, height), (left, height)]))
+    beside = [
+        shapely.box(seen.left - height, 0.0, seen.left, height),
+        shapely.box(seen.right, 0.0, seen.right + height, height),
+    ]
+    return shapely.union_all([*(shapely.make_valid(each) for each in over), *beside])
