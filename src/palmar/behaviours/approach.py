@@ -61,18 +61,21 @@ def sweep(belief: BaseGeometry, profile: Profile, x: float, doubt: Doubt) -> Swe
     seen = affinity.translate(grow(belief, doubt.pose_error), -x)
     _, low, _, high = seen.bounds
     begin = low - profile.top - profile.flattening
-    distance = high - profile.bottom - begin
-    felt: dict[int, list[LineString]] = {}
+    distance = high - profile.bottom - begin + profile.flattening
+    growth = profile.flattening + doubt.displacement + doubt.pose_error
+    felt: dict[int, list[BaseGeometry]] = {}
     for piece in profile.pieces:
         spans = _spans(seen, piece)
         if spans and piece.owner == DEAD:
             return None
-        felt.setdefault(piece.owner, []).extend(_cut(piece, *span) for span in spans)
-    growth = profile.flattening + doubt.displacement + doubt.pose_error
-    found = [Felt(owner, grow(shapely.union_all(curves), growth)) for owner, curves in felt.items() if curves]
-    beside = shapely.difference(seen, shapely.box(profile.left, low, profile.right, high))
-    if beside.area > 0.0:
-        found.append(Felt(None, affinity.translate(beside, 0.0, -begin - distance)))
+        felt.setdefault(piece.owner, []).extend(grow(_cut(piece, *span), growth + piece.blur) for span in spans)
+    found = [Felt(owner, shapely.union_all(parts)) for owner, parts in felt.items() if parts]
+    missed = affinity.translate(belief, -x)
+    inner = (profile.left + doubt.pose_error, low, profile.right - doubt.pose_error, high)
+    if inner[0] < inner[2]:
+        missed = shapely.difference(missed, shapely.box(*inner))
+    if missed.area > 0.0:
+        found.append(Felt(None, affinity.translate(missed, 0.0, -begin - distance)))
     return Sweep(x, begin, distance, tuple(found))
 
 
@@ -85,7 +88,7 @@ def grow(belief: BaseGeometry, distance: float) -> BaseGeometry:
 
 def _spans(belief: BaseGeometry, piece: Piece) -> list[tuple[float, float]]:
     """The intervals of x over which the belief lies above a piece."""
-    low, high = float(piece.points[0, 0]), float(piece.points[-1, 0])
+    low, high = float(piece.points[0, 0]) - piece.blur, float(piece.points[-1, 0]) + piece.blur
     left, bottom, right, top = belief.bounds
     if right <= low or left >= high:
         return []

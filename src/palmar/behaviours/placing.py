@@ -23,6 +23,7 @@ MOST_CORNERS = 12
 """Of the polygon around a belief."""
 SIMPLER = 4e-3
 """Share of the region's size by which its outline may move inwards to be simpler."""
+ROUNDING = 1e-12
 CENTRED = 0.01
 """Share of the region's size to which the largest margin is found."""
 
@@ -80,7 +81,7 @@ def around(belief: BaseGeometry) -> BaseGeometry:
         return hull
     angles = 2.0 * np.pi * np.arange(MOST_CORNERS) / MOST_CORNERS
     normals = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    reach = (corners @ normals.T).max(axis=0)
+    reach = (corners @ normals.T).max(axis=0) + ROUNDING * np.abs(corners).max()
     beside, next_reach = np.roll(normals, -1, axis=0), np.roll(reach, -1)
     cross = normals[:, 0] * beside[:, 1] - normals[:, 1] * beside[:, 0]
     x = (reach * beside[:, 1] - next_reach * normals[:, 1]) / cross

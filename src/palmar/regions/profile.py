@@ -18,8 +18,8 @@ from palmar.models.hand import Hand
 from palmar.models.sensors import Stretch
 
 Floats = NDArray[np.float64]
-Span = tuple[int, float, float, float, float]
-"""Curve, and the ends (x, y), (x', y') of the part of it that is highest."""
+Span = tuple[int, float, float, float, float, float]
+"""Curve, the ends (x, y), (x', y') of the part of it that is highest, change of slope at a crossing, 0 at other ends."""
 QUARTER = 24
 """Chords to a quarter circle."""
 DEAD = -1
@@ -28,10 +28,14 @@ DEAD = -1
 
 @dataclass(frozen=True)
 class Piece:
-    """A polyline (K, 2), x rising, of the envelope in the hand frame (m), and the sensor that is touched there, or DEAD."""
+    """A polyline (K, 2), x rising, of the envelope in the hand frame (m), and the sensor that is touched there, or DEAD.
+
+    ``blur`` bounds how far (m) its ends may be off because of the chords.
+    """
 
     owner: int
     points: Floats
+    blur: float
 
 
 @dataclass(frozen=True)
@@ -73,7 +77,7 @@ class Profile:
 def profile(hand: Hand, radius: float, stretches: tuple[Stretch, ...], opening: float) -> Profile:
     """The profile of a hand with both straight fingers at the base angle ``opening`` (rad) for a disk (radius in m)."""
     flattening = (radius + hand.half_thickness) * (1.0 - cos(pi / (4.0 * QUARTER)))
-    return Profile(tuple(_envelope(_curves(hand, radius, stretches, opening))), flattening)
+    return Profile(tuple(_envelope(_curves(hand, radius, stretches, opening), flattening)), flattening)
 
 
 def _curves(hand: Hand, radius: float, stretches: tuple[Stretch, ...], opening: float) -> list[tuple[int, Floats]]:
@@ -123,20 +127,21 @@ def _of_body(
     return curves
 
 
-def _envelope(curves: list[tuple[int, Floats]]) -> list[Piece]:
+def _envelope(curves: list[tuple[int, Floats]], flattening: float) -> list[Piece]:
     """The upper envelope of polylines, cut where the owner changes or where it jumps."""
     cuts = np.unique(np.concatenate([points[:, 0] for _, points in curves]))
-    cuts = cuts[np.concatenate([[True], np.diff(cuts) > 1e-12 * (cuts[-1] - cuts[0])])]
-    at = np.array([np.interp(cuts, p[:, 0], p[:, 1], left=np.nan, right=np.nan) for _, p in curves])
-    low, high = at[:, :-1], at[:, 1:]
-    there = np.isfinite(low) & np.isfinite(high)
+    near = 1e-12 * (cuts[-1] - cuts[0])
+    cuts = cuts[np.concatenate([[True], np.diff(cuts) > near])]
+    at = np.array([np.interp(cuts, p[:, 0], p[:, 1]) for _, p in curves])
+    over = np.array([(cuts >= p[0, 0] - 2.0 * near) & (cuts <= p[-1, 0] + 2.0 * near) for _, p in curves])
+    low, high, there = at[:, :-1], at[:, 1:], over[:, :-1] & over[:, 1:]
     low, high = np.where(there, low, -np.inf), np.where(there, high, -np.inf)
     spans: list[Span] = []
     for k in np.flatnonzero(there.any(axis=0)):
         lines = np.flatnonzero(there[:, k])
         for here, *ends in _over_span(low[lines, k], high[lines, k], float(cuts[k]), float(cuts[k + 1])):
-            spans.append((int(lines[int(here)]), ends[0], ends[1], ends[2], ends[3]))
-    return _joined(spans, [owner for owner, _ in curves])
+            spans.append((int(lines[int(here)]), ends[0], ends[1], ends[2], ends[3], ends[4]))
+    return _joined(spans, [owner for owner, _ in curves], flattening)
 
 
 def _over_span(low: Floats, high: Floats, begin: float, end: float) -> list[Span]:
@@ -153,20 +158,31 @@ def _over_span(low: Floats, high: Floats, begin: float, end: float) -> list[Span
         stop = min(float(meets[after]), 1.0)
         ends = [begin + each * (end - begin) for each in (share, stop)]
         heights = [float(low[here] + each * rise[here]) for each in (share, stop)]
-        found.append((here, ends[0], heights[0], ends[1], heights[1]))
+        crossing = float(gain[after]) / (end - begin) if stop < 1.0 else 0.0
+        found.append((here, ends[0], heights[0], ends[1], heights[1], crossing))
         if stop >= 1.0 - 1e-12:
             return found
         share, here = stop, after
 
 
-def _joined(spans: list[Span], owners: list[int]) -> list[Piece]:
+def _joined(spans: list[Span], owners: list[int], flattening: float) -> list[Piece]:
     """Neighbouring spans of one owner, where they meet, as one piece."""
-    pieces: list[tuple[int, list[tuple[float, float]]]] = []
-    for curve, x, y, x_end, y_end in spans:
+    pieces: list[tuple[int, list[tuple[float, float]], float]] = []
+    before = 0.0
+    for curve, x, y, x_end, y_end, crossing in spans:
+        slope = (y_end - y) / max(x_end - x, 1e-300)
+        after = _blur(slope, crossing, flattening)
         if pieces and pieces[-1][0] == owners[curve]:
-            last_x, last_y = pieces[-1][1][-1]
-            if abs(last_x - x) < 1e-9 and abs(last_y - y) < 1e-9:
-                pieces[-1][1].append((x_end, y_end))
+            owner, points, blur = pieces[-1]
+            if abs(points[-1][0] - x) < 1e-9 and abs(points[-1][1] - y) < 1e-9:
+                pieces[-1] = (owner, [*points, (x_end, y_end)], max(blur, after))
+                before = after
                 continue
-        pieces.append((owners[curve], [(x, y), (x_end, y_end)]))
-    return [Piece(owner, np.array(points)) for owner, points in pieces]
+        pieces.append((owners[curve], [(x, y), (x_end, y_end)], max(before, after)))
+        before = after
+    return [Piece(owner, np.array(points), blur) for owner, points, blur in pieces]
+
+
+def _blur(slope: float, crossing: float, flattening: float) -> float:
+    """How far from the arcs' two chords cross, whose slopes differ by ``crossing``: 2 e / sin of the angle; 0 for none."""
+    return 2.0 * flattening * hypot(1.0, slope) * hypot(1.0, slope + crossing) / crossing if crossing > 0.0 else 0.0

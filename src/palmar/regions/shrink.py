@@ -26,10 +26,8 @@ ROUND = 0.99
 
 def shrunk(region: MultiPolygon, uncertainty: BaseGeometry) -> MultiPolygon:
     """The places (m) about which the uncertainty, a set of errors (m), lies in the region; exact for polygons."""
-    left: BaseGeometry = shapely.union_all(list(region.geoms))
-    for piece in convex_pieces(uncertainty):
-        left = _without_rim(left, region, piece)
-    return areal(left)
+    whole = shapely.union_all(list(region.geoms))
+    return areal(shapely.intersection_all([_places(whole, piece) for piece in convex_pieces(uncertainty)]))
 
 
 def fits(region: MultiPolygon, uncertainty: BaseGeometry, at: tuple[float, float], slack: float = 0.0) -> bool:
@@ -62,17 +60,14 @@ def convex_pieces(uncertainty: BaseGeometry) -> list[Polygon]:
     return [triangle for piece in pieces for triangle in shapely.get_parts(piece)]
 
 
-def _without_rim(places: BaseGeometry, region: MultiPolygon, piece: Polygon) -> BaseGeometry:
-    """Of ``places``, those about which a convex piece does not reach over the region's outline."""
-    # A piece that does not contain the place itself could lie beyond the outline without touching it: centre it first.
+def _places(whole: BaseGeometry, piece: Polygon) -> BaseGeometry:
+    """Places about which a convex piece lies in the set: it does not reach over the outline, and its middle is inside."""
     middle = np.asarray(piece.centroid.coords[0])
     mirrored = -(np.asarray(piece.exterior.coords)[:-1] - middle)
-    whole = shapely.union_all(list(region.geoms))
     outline = np.asarray([edge for line in _lines(whole) for edge in pairwise(line)])
     swept = np.concatenate([outline[:, :1] + mirrored, outline[:, 1:] + mirrored], axis=1)
     rim = shapely.union_all(shapely.convex_hull(shapely.multipoints(list(swept))))
-    inside = affinity.translate(whole.difference(rim), *(-middle))
-    return places & inside
+    return affinity.translate(whole.difference(rim), *(-middle))
 
 
 def _lines(whole: BaseGeometry) -> list[NDArray[np.float64]]:

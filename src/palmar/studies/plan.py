@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import radians
 
-import numpy as np
 import shapely
-from shapely import Polygon
+from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.approach import Doubt
@@ -74,10 +73,11 @@ def above(seen: Profile, height: float) -> BaseGeometry:
     """Centres (m) that the hand, coming straight up to where it is, has not touched: over the profile, or beside it."""
     over = []
     for piece in seen.pieces:
-        (left, *_, right), lifted = piece.points[:, 0], piece.points + np.array([0.0, seen.flattening])
-        over.append(Polygon([*lifted, (right, height), (left, height)]))
+        left, right = piece.points[0, 0], piece.points[-1, 0]
+        over.append(shapely.make_valid(Polygon([*piece.points, (right, height), (left, height)])))
     beside = [
         shapely.box(seen.left - height, 0.0, seen.left, height),
         shapely.box(seen.right, 0.0, seen.right + height, height),
     ]
-    return shapely.union_all([*(shapely.make_valid(each) for each in over), *beside])
+    rounded = shapely.union_all([LineString(each.points) for each in seen.pieces]).buffer(seen.flattening)
+    return shapely.union_all([*over, *beside]).difference(rounded)

@@ -1,0 +1,119 @@
+"""Plans: what they say is certain is, by a trial that knows nothing of their sets."""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+from shapely import Point, box
+
+from palmar.behaviours.policy import Approach, Close, approaches, is_guaranteed, leaves
+from palmar.errors import NotCoveredError
+from palmar.models.case import Case
+from palmar.models.hand import Hand
+from palmar.models.objects import ConvexPolygon, Disk
+from palmar.models.sensors import SensorLayout, Sensors, Stretch
+from palmar.studies.plan import Plan, plan, planner_of
+from palmar.studies.plan_trial import Errors, Trial, drawn_starts, try_plan
+
+BED = Hand(palm_width=0.12, finger_links=(0.137, 0.107))
+DOUBT = {"displacement": 0.002, "pose_error": 0.001}
+LAYOUTS = {
+    "distributed": SensorLayout.DISTRIBUTED,
+    "full": SensorLayout.FULL,
+    "halves": tuple(Stretch(body=each) for each in ("palm", "right_1", "right_2", "left_1", "left_2")),
+}
+
+
+def case_of(layout: object, hand: Hand = BED, radius: float = 0.038, **doubt: float) -> Case:
+    return Case(hand=hand, object=Disk(radius=radius), sensors=Sensors(layout=layout, **(doubt or DOUBT)))
+
+
+def tried(
+    case: Case, found: Plan, uncertainty: object, at: tuple[float, float], errors: Errors, number: int = 4000
+) -> Trial:
+    starts = drawn_starts(uncertainty, number, 4) + np.array(at)
+    return try_plan(case, found.found.policy, found.stretches, starts, errors, 1)
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_every_object_drawn_is_caught_within_the_approaches_promised(layout: str) -> None:
+    """An uncertainty of three times the closing region's area."""
+    case = case_of(LAYOUTS[layout])
+    planner, _ = planner_of(case)
+    radius = sqrt(3.0 * max(each.target.region.area for each in planner.openings) / pi)
+    uncertainty, at = Point(0.0, 0.0).buffer(radius), (0.0, 2.0 * radius)
+    found = plan(case, uncertainty, at, 3)
+    assert is_guaranteed(found.found.policy) and found.found.minimal
+    trial = tried(case, found, uncertainty, at, Errors(**DOUBT))
+    assert (trial.lost, trial.surprised, trial.given_up) == (0, 0, 0)
+    assert trial.most_approaches <= approaches(found.found.policy) == 1
+
+
+def test_a_wide_uncertainty_takes_more_approaches() -> None:
+    """Wider than the open hand: what the first approach does not touch is looked for by the next."""
+    case, uncertainty, at = case_of(SensorLayout.DISTRIBUTED), box(-0.6, -0.1, 0.6, 0.1), (0.0, 0.5)
+    found = plan(case, uncertainty, at, 3)
+    assert is_guaranteed(found.found.policy)
+    assert approaches(found.found.policy) == 2
+    trial = tried(case, found, uncertainty, at, Errors(**DOUBT))
+    assert trial.caught == trial.starts
+
+
+def test_an_object_known_well_needs_no_approach() -> None:
+    case, uncertainty, at = case_of(SensorLayout.NONE), Point(0.0, 0.0).buffer(0.06), (0.2, 0.9)
+    found = plan(case, uncertainty, at, 3)
+    assert isinstance(found.found.policy, Close)
+    assert tried(case, found, uncertainty, at, Errors(**DOUBT)).lost == 0
+
+
+def test_without_sensors_a_wide_uncertainty_has_no_plan() -> None:
+    found = plan(case_of(SensorLayout.NONE), Point(0.0, 0.0).buffer(0.4), (0.0, 0.9), 3)
+    assert not is_guaranteed(found.found.policy)
+    assert [type(each).__name__ for each in leaves(found.found.policy)] == ["Lost"]
+
+
+def test_what_a_plan_cannot_do_is_what_the_trial_gives_up() -> None:
+    """Tips only: the plan leaves some, and only from what it leaves are objects not caught."""
+    case, uncertainty, at = case_of(SensorLayout.TIPS), box(-0.5, -0.05, 0.5, 0.05), (0.0, 0.5)
+    found = plan(case, uncertainty, at, 1)
+    assert not is_guaranteed(found.found.policy)
+    trial = tried(case, found, uncertainty, at, Errors(**DOUBT))
+    assert trial.given_up > 0
+    assert (trial.lost, trial.surprised) == (0, 0)
+
+
+def test_a_trial_notices_a_region_that_is_too_large() -> None:
+    """The plan of a hand whose fingers are half as long again, followed by the real one."""
+    longer = BED.model_copy(update={"finger_links": (0.2, 0.166)})
+    wrong = case_of(SensorLayout.FULL, longer, 0.06)
+    uncertainty, at = Point(0.0, 0.0).buffer(0.14), (0.0, 0.5)
+    found = plan(wrong, uncertainty, at, 2)
+    trial = tried(case_of(SensorLayout.FULL), found, uncertainty, at, Errors(**DOUBT))
+    assert trial.caught < trial.starts
+
+
+def test_missed_bits_and_large_errors_cost_what_the_plan_did_not_assume() -> None:
+    case, uncertainty, at = case_of(SensorLayout.DISTRIBUTED), Point(0.0, 0.0).buffer(0.28), (0.0, 0.6)
+    found = plan(case, uncertainty, at, 2)
+    missed = tried(case, found, uncertainty, at, Errors(**DOUBT, missed=0.1))
+    assert 0.07 < 1.0 - missed.caught / missed.starts < 0.13
+    thrown = tried(case, found, uncertainty, at, Errors(displacement=0.2, pose_error=0.001))
+    assert thrown.lost > 0
+
+
+def test_what_no_plan_covers_is_refused() -> None:
+    square = ConvexPolygon(shape="polygon", vertices=((0.0, 0.0), (0.1, 0.0), (0.1, 0.1), (0.0, 0.1)))
+    case = case_of(SensorLayout.FULL).model_copy(update={"object": square})
+    with pytest.raises(NotCoveredError, match="disks"):
+        plan(case, Point(0.0, 0.0).buffer(0.1), (0.0, 0.4), 1)
+
+
+def test_a_plan_is_a_tree_of_places_that_can_be_gone_to() -> None:
+    found = plan(case_of(SensorLayout.DISTRIBUTED), Point(0.0, 0.0).buffer(0.28), (0.0, 0.6), 2)
+    policy = found.found.policy
+    assert isinstance(policy, Approach)
+    assert policy.distance > 0.0
+    assert {each.sensor for each in policy.branches} <= {None, *range(len(found.stretches))}
+    assert all(isinstance(each, Close) and each.place.margin > 0.0 for each in leaves(policy))
