@@ -18,7 +18,7 @@ from palmar.models.explain import explain
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.quantity import Unit, Value, file_key, unit_of
-from palmar.models.sensors import Sensors
+from palmar.models.sensors import SensorLayout, Sensors
 from palmar.models.support import Support
 
 LARGEST_FILE = 1_000_000
@@ -110,6 +110,23 @@ def with_friction(case: Case, text: str, where: str) -> Case:
     assert isinstance(read, Contact)
     contact = case.contact.model_copy(update={"friction": read.friction})
     return case.model_copy(update={"contact": contact, "ranges": tuple(ranges)})
+
+
+def with_layout(case: Case, text: str, where: str) -> Case:
+    """The case with another sensor layout: a preset's name, or stretches with commas between; raises InputError."""
+    given: str | list[str] = text.strip()
+    if given not in [each.value for each in SensorLayout] and (
+        "," in text or text.startswith(("palm ", "right", "left"))
+    ):
+        given = [each.strip() for each in text.split(",")]
+    read = _read_section({"sensors": {"layout": given}}, "sensors", where, [])
+    assert isinstance(read, Sensors)
+    sensors = case.sensors.model_copy(update={"layout": read.layout})
+    try:
+        sensors.stretches(case.hand)
+    except ValueError as error:
+        raise InputError(where, None, str(error).removeprefix("sensors.layout: ")) from None
+    return case.model_copy(update={"sensors": sensors})
 
 
 def _read_section(raw: dict[str, Any], section: str, name: str, ranges: list[Range]) -> Value:

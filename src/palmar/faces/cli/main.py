@@ -19,6 +19,7 @@ for name, summary in {
     "closure": "Can this hand hold it, which radii can it hold, and what would have to change.",
     "region": "From where the closing motion catches the object.",
     "simulate": "What becomes of an object that starts here.",
+    "plan": "Approaches by touch that certainly end in a grasp.",
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",

@@ -32,7 +32,7 @@ def questions(
         uncertainty=errors,
         ends=ends,
         offset=None if offset is None else _offset(offset),
-        at=None if at is None else _place(at),
+        at=None if at is None else place_given(at),
     )
 
 
@@ -93,6 +93,7 @@ def _positive(values: list[float], option: str) -> list[float]:
     return values
 
 
-def _place(text: str) -> tuple[float, float]:
+def place_given(text: str) -> tuple[float, float]:
+    """X_MM,Y_MM -> m."""
     x, y = numbers(text, "--at", (2,), "X_MM,Y_MM")
     return 1e-3 * x, 1e-3 * y

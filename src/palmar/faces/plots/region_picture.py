@@ -138,7 +138,7 @@ def _extent(case: Case, scene: _Scene) -> Extent:
 
 
 def _draw(axes: Axes, case: Case, scene: _Scene, theta: float) -> None:
-    _millimetre_ticks(axes)
+    millimetre_ticks(axes)
     for area, band in scene.sets:
         draw_area(axes, area, band)
     size = object_reach(case.object)
@@ -164,7 +164,8 @@ def _hand_dimensions(axes: Axes, hand: Hand) -> None:
     dimension(axes, tuple(base), tuple(tip), finger, -gap)
 
 
-def _millimetre_ticks(axes: Axes) -> None:
+def millimetre_ticks(axes: Axes) -> None:
+    """Ticks and names of axes in millimetres."""
     axes.set_axis_on()
     for axis, name in ((axes.xaxis, "x (mm)"), (axes.yaxis, "y (mm)")):
         axis.set_major_locator(MaxNLocator(nbins=7, steps=[1, 2, 5, 10]))

@@ -1,0 +1,83 @@
+"""``palmar plan``: approaches by touch that certainly end in a grasp, from a set of places where the object may be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import App, Parameter
+
+from palmar.behaviours.policy import is_guaranteed
+from palmar.errors import InputError
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, progress, show
+from palmar.faces.cli.region_options import place_given
+from palmar.faces.cli.texts import titled
+from palmar.faces.plan_record import plan_record
+from palmar.faces.plan_words import plan_text
+from palmar.models.case_file import with_layout
+from palmar.models.closure import Closure
+from palmar.models.shipped import open_case
+
+app = App(name="plan")
+MOST_APPROACHES, MOST_TRIALS = 6, 1_000_000
+Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
+
+
+@app.default
+def plan(
+    case: CaseName,
+    *,
+    uncertainty: Annotated[
+        str, Parameter(help="Where it may be about that place: disk:R_MM, box:W_MM,H_MM, FILE.geojson.")
+    ],
+    at: Annotated[Text, Parameter(help="X_MM,Y_MM: where the object is thought to be, else the case's start.")] = None,
+    approaches_max: Annotated[int, Parameter(help="The most approaches allowed.")] = 3,
+    sensors: Annotated[
+        str | None, Parameter(help="Instead of the case's: none, palm, tips, distributed, full, or PART[,PART...].")
+    ] = None,
+    closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
+    trial: Annotated[int, Parameter(help="Also simulate so many objects drawn from the uncertainty.")] = 0,
+    seed: Annotated[int, Parameter(help="Of the objects drawn.")] = 0,
+    out: Annotated[Path | None, Parameter(help="Also draw the hardest branch: svg, pdf or png.")] = None,
+    json: AsJson = False,
+    check: Check = False,
+) -> None:
+    """Approach until a sensor fires, again if need be, then close: a tree of moves with a proof at each of its ends."""
+    from palmar.faces.cli.uncertainty import parse_uncertainty
+    from palmar.studies.plan import plan as planned
+    from palmar.studies.plan_trial import Errors, drawn_starts, try_plan
+
+    _within("--approaches-max", approaches_max, 0, MOST_APPROACHES)
+    _within("--trial", trial, 0, MOST_TRIALS)
+    _within("--seed", seed, 0, 2**32 - 1)
+    if out is not None and out.suffix.lower() not in (".svg", ".pdf", ".png"):
+        raise InputError("--out", str(out), "a plan is drawn as svg, pdf or png")
+    name, given = open_case(case)
+    if sensors is not None:
+        given = with_layout(given, sensors, "--sensors")
+    errors = parse_uncertainty(uncertainty)
+    place = given.start.at if at is None else place_given(at)
+    found = planned(given, errors, place, approaches_max, closure)
+    tried = None
+    if trial > 0:
+        progress(f"simulating {trial} objects")
+        starts = drawn_starts(errors, trial, seed) + place
+        assumed = Errors(found.doubt.displacement, found.doubt.pose_error)
+        tried = try_plan(given, found.found.policy, found.stretches, starts, assumed, seed)
+    if out is not None:
+        from palmar.faces.plots.plan_picture import plan_picture
+        from palmar.faces.plots.style import save
+
+        save(plan_picture(given, found), out)
+    written = [f"Written: {out}"] if out is not None else []
+    show(
+        titled(name, given, plan_text(found, approaches_max, tried), *written),
+        plan_record(found, approaches_max, tried),
+        json,
+    )
+    answer(is_guaranteed(found.found.policy), check)
+
+
+def _within(option: str, value: int, low: int, high: int) -> None:
+    if not low <= value <= high:
+        raise InputError(option, str(value), f"must be from {low} to {high}")

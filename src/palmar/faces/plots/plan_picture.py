@@ -1,0 +1,143 @@
+"""A plan's hardest branch, drawn move by move: where the object may be, what is felt, and the proof at the end."""
+
+from __future__ import annotations
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from shapely import affinity
+
+from palmar.behaviours.policy import Approach, Close, Lost, Policy, approaches
+from palmar.faces.plan_record import sensor_name
+from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
+from palmar.faces.plots.hand import draw_hand, draw_object, finger_points
+from palmar.faces.plots.lettering import line_height, wrapped
+from palmar.faces.plots.region_picture import millimetre_ticks
+from palmar.faces.plots.sheet import MARGIN, Extent, Pad, Room, Sheet, sheet
+from palmar.faces.plots.style import HEADING_SIZE, SMALL_SIZE, TEXT_SIZE, Role
+from palmar.geometry.planar_set import areal
+from palmar.models.case import Case
+from palmar.models.closure import Closure
+from palmar.models.objects import Disk
+from palmar.regions.exact import exact_region
+from palmar.studies.plan import Plan
+
+BELIEF = Band(Role.LARGEST, "where the object's centre may be", 2.0)
+FELT = Band(Role.HELD, "where it may be once this sensor has fired", 3.0)
+OTHER = Band(Role.SMALLEST, "where it may be once another has", 2.5, dashes=(0, (2, 1)))
+REGION = Band(Role.CENTRE, "from here closing catches it for certain", 1.0)
+BANDS = (BELIEF, FELT, OTHER, REGION)
+FACTS = 56.0
+ROOM = Room(Pad(3.0, 11.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, FACTS, 0.0))
+LEAST = 1.5e-3
+"""Beliefs thinner than this share of the picture are drawn that thick."""
+
+
+def plan_picture(case: Case, plan: Plan) -> Figure:
+    """A panel for each move of the branch with the most approaches, then the least margin, each in the hand's frame."""
+    branch = _hardest(plan.found.policy)
+    extents = [[_extent(case, policy)] for policy, _ in branch]
+    room = Room(Pad(3.0, LEGEND_ROW * 2 + 2.0, 3.0, 5.0), ROOM.outside, ROOM.inside)
+    page = sheet(extents, title="Where the object may be, move by move", footer=_footer(plan), room=room)
+    for (policy, sensor), (axes,), (extent,) in zip(branch, page.panels, extents, strict=True):
+        millimetre_ticks(axes)
+        if isinstance(policy, Approach):
+            _draw_approach(axes, case, policy, sensor, extent)
+        else:
+            _draw_end(axes, case, policy, extent)
+        _facts(page, axes, policy, sensor, plan)
+    legend(page, (MARGIN, page.box(page.panels[-1][0]).bottom - ROOM.outside.bottom), list(BANDS))
+    return page.figure
+
+
+def _hardest(policy: Policy) -> list[tuple[Policy, int | None]]:
+    """Moves from the root to the hardest end, each with the sensor that then fires (None: nothing, or the end)."""
+    if not isinstance(policy, Approach):
+        return [(policy, None)]
+    worst = max(
+        policy.branches, key=lambda each: (_is_lost(each.then), approaches(each.then), -_least_margin(each.then))
+    )
+    return [(policy, worst.sensor), *_hardest(worst.then)]
+
+
+def _is_lost(policy: Policy) -> bool:
+    if isinstance(policy, Approach):
+        return any(_is_lost(each.then) for each in policy.branches)
+    return isinstance(policy, Lost)
+
+
+def _least_margin(policy: Policy) -> float:
+    if isinstance(policy, Approach):
+        return min(_least_margin(each.then) for each in policy.branches)
+    return policy.place.margin if isinstance(policy, Close) else 0.0
+
+
+def _extent(case: Case, policy: Policy) -> Extent:
+    """Hand and belief, seen from the hand as it stands for this move."""
+    x, y = _stand(policy)
+    left, bottom, right, top = policy.belief.bounds
+    size = case.object.radius if isinstance(case.object, Disk) else 0.0
+    opening = policy.opening if not isinstance(policy, Lost) else case.hand.open
+    reach = abs(finger_points(case.hand, (opening,))).max(axis=0) + case.hand.half_thickness
+    seen = Extent(left - x - size, bottom - y - size, right - x + size, top - y + size)
+    return seen.joined(Extent(-reach[0], -case.hand.half_thickness, reach[0], reach[1]))
+
+
+def _stand(policy: Policy) -> tuple[float, float]:
+    if isinstance(policy, Approach):
+        return policy.x, policy.y
+    return (policy.place.x, policy.place.y) if isinstance(policy, Close) else (0.0, 0.0)
+
+
+def _draw_approach(axes: Axes, case: Case, policy: Approach, sensor: int | None, extent: Extent) -> None:
+    thick = LEAST * max(extent.size)
+    draw_area(axes, areal(affinity.translate(policy.belief, -policy.x, -policy.y).buffer(thick)), BELIEF)
+    for each in policy.branches:
+        if each.sensor is not None:
+            draw_area(axes, areal(each.belief.buffer(thick)), FELT if each.sensor == sensor else OTHER)
+    draw_hand(axes, case.hand, policy.opening)
+
+
+def _draw_end(axes: Axes, case: Case, policy: Policy, extent: Extent) -> None:
+    x, y = _stand(policy)
+    thick = LEAST * max(extent.size)
+    if isinstance(policy, Close):
+        opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": policy.opening})})
+        draw_area(axes, exact_region(opened, Closure.FRICTIONAL).centre, REGION)
+        draw_hand(axes, case.hand, policy.opening)
+    else:
+        draw_hand(axes, case.hand, case.hand.open)
+    belief = affinity.translate(policy.belief, -x, -y)
+    draw_area(axes, areal(belief.buffer(thick)), BELIEF)
+    middle = belief.representative_point()
+    draw_object(axes, case.object, (middle.x, middle.y), fill=0.5)
+
+
+def _facts(page: Sheet, axes: Axes, policy: Policy, sensor: int | None, plan: Plan) -> None:
+    """What the move is, and what it leads to, in the column beside the panel."""
+    box = page.box(axes)
+    x, y = box.right + 5.0, box.top - 1.0
+    for name, value, role in _lines(policy, sensor, plan):
+        if name:
+            page.write((x, y), name, size=SMALL_SIZE, role=Role.DIMENSION, upright="top")
+            y -= line_height(SMALL_SIZE)
+        size = TEXT_SIZE if name else HEADING_SIZE
+        text = wrapped(value, FACTS - 7.0, size, bold=not name)
+        page.write((x, y), text, size=size, role=role, bold=not name, upright="top")
+        y -= (text.count("\n") + 1) * line_height(size) + 2.0
+
+
+def _lines(policy: Policy, sensor: int | None, plan: Plan) -> list[tuple[str, str, Role]]:
+    left, bottom, right, top = (1e3 * each for each in policy.belief.bounds)
+    known = ("the object is known within", f"{right - left:.4g} mm across, {top - bottom:.4g} mm along", BELIEF.role)
+    if isinstance(policy, Approach):
+        felt = sensor_name(sensor, plan) or "nothing is felt"
+        return [("", "Approach until a sensor fires", Role.CAPTION), known, ("then, say", felt, FELT.role)]
+    if isinstance(policy, Close):
+        margin = f"{1e3 * policy.place.margin:.3g} mm"
+        return [("", "Close: caught for certain", Role.CAPTION), known, ("to spare", margin, REGION.role)]
+    return [("", "No way on", Role.LOST), known]
+
+
+def _footer(plan: Plan) -> str:
+    moved, off = (f"{1e3 * each:.4g} mm" for each in (plan.doubt.displacement, plan.doubt.pose_error))
+    return f"The hardest branch. Object moves at most {moved} before it is felt, pose error at most {off}."
