@@ -27,6 +27,8 @@ class Circle:
 
 def areal(geometry: BaseGeometry) -> MultiPolygon:
     """Only the two-dimensional parts of a geometry."""
+    if isinstance(geometry, Polygon):
+        return MultiPolygon([geometry]) if geometry.area > 0.0 else EMPTY
     parts = [part for part in shapely.get_parts(geometry) if isinstance(part, Polygon) and part.area > 0.0]
     nested = [piece for part in shapely.get_parts(geometry) if isinstance(part, MultiPolygon) for piece in part.geoms]
     return MultiPolygon(parts + nested)
