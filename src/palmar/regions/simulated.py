@@ -35,26 +35,35 @@ TURN = radians(5.0)
 """Orientations at most this far apart are simulated."""
 
 
-def simulated_sets(case: Case, orientations: Orientations | None, spacing: float | None) -> SampledSets:
-    """The sets of a case without ranges, at all orientations asked for; raises NotCoveredError if no finger can move."""
+def simulated_sets(
+    case: Case, orientations: Orientations | None, spacing: float | None, certain: MultiPolygon = EMPTY
+) -> SampledSets:
+    """The sets of a case without ranges, at all orientations asked for; raises NotCoveredError if no finger can move.
+
+    Positions in ``certain`` (m) are known to be caught and are not simulated.
+    """
     motion, slider = straight_motion(case.hand), slider_of(case.object, case.support)
     if motion.last <= motion.first:
         raise NotCoveredError("hand.open_deg: the fingers cannot close any further")
     thetas = _thetas(*(orientations or (case.start.theta, case.start.theta)))
     body = slider_body(slider, case.contact.friction)
     length = case.hand.finger_length
-    return sampled_sets(motion, body, slider.centre, thetas, max(spacing or SPACING * length, FINEST * length))
+    return sampled_sets(motion, body, slider.centre, thetas, max(spacing or SPACING * length, FINEST * length), certain)
 
 
 def simulated_region(case: Case, closure: Closure, orientations: Orientations | None, spacing: float | None) -> Region:
     """The region of a case without ranges, caught at all orientations asked for, with its certain part."""
     low, high = orientations or (case.start.theta, case.start.theta)
     thetas = _thetas(low, high)
-    sets = simulated_sets(case, orientations, spacing)
     core = _certain(case, low, high)
+    sets = simulated_sets(case, orientations, spacing, core)
     whole, flattening = _whole(sets.centre, case.object, thetas)
     apart = degrees(thetas[1] - thetas[0]) if len(thetas) > 1 else 0.0
     spread = f", at {sets.orientations} orientations {apart:.3g} deg apart" if apart else ""
+    if sets.different < sets.orientations:
+        spread += f" of which {sets.different} differ"
+    if sets.mirrored:
+        spread += ", the mirror image taken for the other half"
     empty = sets.centre.is_empty and core.is_empty
     return Region(
         model=Model.EXACT,
