@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, degrees, hypot, pi, radians
+from math import ceil, cos, degrees, hypot, pi, radians
 
 import numpy as np
 import shapely
@@ -33,6 +33,8 @@ FINEST = 1.0 / 2048.0
 """Least spacing, in finger lengths: finer ones would take hours."""
 TURN = radians(5.0)
 """Orientations at most this far apart are simulated."""
+QUARTER = 16
+"""Chords of a quarter circle."""
 
 
 def simulated_sets(
@@ -92,12 +94,23 @@ def _certain(case: Case, low: float, high: float) -> MultiPolygon:
     pushed: BaseGeometry = pushed_core(
         hand.half_palm, hand.finger_length, hand.open, last, slider, case.contact.friction
     )
-    if slider.centre != (0.0, 0.0):
-        thetas = _thetas(low, high)
-        pushed = pushed.buffer(-hypot(*slider.centre) * 0.5 * TURN) if len(thetas) > 1 else pushed
-        arms = [turned([slider.centre], float(theta))[0] for theta in thetas]
-        pushed = shapely.intersection_all([affinity.translate(pushed, -x, -y) for x, y in arms])
-    return areal(untouched | pushed)
+    return areal(untouched | _seen_from_frame(pushed, slider.centre, low, high))
+
+
+def _seen_from_frame(places: BaseGeometry, centre: tuple[float, float], low: float, high: float) -> BaseGeometry:
+    """Places of the centre of pressure -> places of the object's frame from which it lies there at all orientations."""
+    arm = hypot(*centre)
+    if arm == 0.0 or places.is_empty:
+        return places
+    if high - low >= 2.0 * pi - 1e-9:
+        # The centre may be anywhere on a circle; corners of the arcs are put outside of it.
+        return places.buffer(-arm / cos(pi / (4.0 * QUARTER)), quad_segs=QUARTER)
+    thetas = _thetas(low, high)
+    if len(thetas) > 1:
+        places = places.buffer(-arm * 0.5 * TURN)
+    arms = [turned([centre], float(theta))[0] for theta in thetas]
+    within: BaseGeometry = shapely.intersection_all([affinity.translate(places, -x, -y) for x, y in arms])
+    return within
 
 
 def object_reach(thing: Object) -> float:
