@@ -146,7 +146,8 @@ def _halves(
     worst = SHARE * closing.tolerance  # that of arcs, see _arc_corners
     for low, high in ways:
         inside, outside, bound = _between(closing, low, high, False)
-        inner, outer, worst = inner | inside, outer | outside, max(worst, bound)
+        inner, outer = (inside, outside) if outer.is_empty else (inner | inside, outer | outside)
+        worst = max(worst, bound)
     for low, high, caught in _runs(closing, True) if ways_may_return(closing.hand) else ():
         inside, outside, _ = _between(closing, low, high, True)
         inner, outer = (inner | inside, outer | outside) if caught else (inner - outside, outer - inside)

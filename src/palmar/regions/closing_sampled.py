@@ -30,8 +30,8 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 COARSE = 24
 """Cells across the search box in the first pass."""
-BATCH = 512
-"""About so many starts are carried at once."""
+BATCH = 128
+"""At least about so many starts are carried at once."""
 
 
 @dataclass(frozen=True)
@@ -77,39 +77,56 @@ def sampled_sets(
 
 
 class _Starts:
-    """Asks whether starts are caught at all orientations, those first at which most starts have been lost so far."""
+    """Asks whether starts are caught at all orientations, those first at which the nearest lost start was lost."""
 
     def __init__(
         self, motion: HandMotion, body: Body, centre: tuple[float, float], different: Different, certain: MultiPolygon
     ) -> None:
         self.carried = 0
         self._motion, self._body, self._centre = motion, body, centre
-        self._thetas, self._lost = different.thetas, np.zeros(len(different.thetas))
-        self._certain = certain
+        self._thetas, self._certain = different.thetas, certain
+        self._lost, self._lost_at = np.empty((0, 2)), np.empty(0, np.intp)
 
     def caught(self, x: Floats, y: Floats) -> Bools:
         """Which starts (N,), (N,), m, are caught at all orientations."""
         held = np.ones(len(x), bool)
-        asked = ~shapely.contains_xy(self._certain, x, y)
-        waiting = np.argsort(-self._lost, kind="stable")
-        while len(waiting) > 0:
+        asked, places = ~shapely.contains_xy(self._certain, x, y), np.column_stack([x, y])
+        order = self._most_telling_first(places)
+        done = 0
+        while done < len(self._thetas):
             some = np.flatnonzero(held & asked)
             if len(some) == 0:
                 break
-            count = max(1, BATCH // len(some))
-            now, waiting = waiting[:count], waiting[count:]
-            each = self._caught_at(x[some], y[some], self._thetas[now])
-            self._lost[now] += (~each).sum(axis=1)
-            held[some] = each.all(axis=0)
+            count = min(max(1, done, BATCH // len(some)), len(self._thetas) - done)
+            now = order[some, done : done + count]
+            each = self._caught_at(places[some], now)
+            lost = ~each.all(axis=1)
+            held[some] = ~lost
+            self._lost = np.concatenate([self._lost, places[some[lost]]])
+            self._lost_at = np.concatenate([self._lost_at, now[lost, np.argmin(each[lost], axis=1)]])
+            done += count
         return held
 
-    def _caught_at(self, x: Floats, y: Floats, thetas: Floats) -> Bools:
-        """Whether starts (N,) are caught at each of some orientations (T,): (T, N)."""
-        poses = np.column_stack([np.tile(x, len(thetas)), np.tile(y, len(thetas)), np.repeat(thetas, len(x))])
+    def _most_telling_first(self, places: Floats) -> NDArray[np.intp]:
+        """For each place (N, 2) the orientations' numbers (N, T), outwards from that at which the nearest start was lost."""
+        count = len(self._thetas)
+        numbers = np.tile(np.arange(count), (len(places), 1))
+        if len(self._lost) == 0:
+            return numbers
+        apart = ((places[:, None, :] - self._lost[None, :, :]) ** 2).sum(axis=2)
+        suspect = self._lost_at[apart.argmin(axis=1)]
+        steps = np.abs(numbers - suspect[:, None])
+        order: NDArray[np.intp] = np.argsort(np.minimum(steps, count - steps), axis=1, kind="stable")
+        return order
+
+    def _caught_at(self, places: Floats, numbers: NDArray[np.intp]) -> Bools:
+        """Whether starts (N, 2) are caught at each of some orientations (N, T): (N, T)."""
+        count = numbers.shape[1]
+        poses = np.column_stack([np.repeat(places, count, axis=0), self._thetas[numbers].ravel()])
         starts = moved_poses(self._centre, poses, 1.0)
         codes, _, _ = carry_all(self._motion, self._body, starts, tolerance=BATCH_TOLERANCE)
         self.carried += len(poses)
-        found: Bools = (codes <= Outcome.CAGED.code).reshape(len(thetas), len(x))
+        found: Bools = (codes <= Outcome.CAGED.code).reshape(numbers.shape)
         return found
 
 
