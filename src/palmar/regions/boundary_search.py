@@ -51,7 +51,7 @@ def nodes_inside(inside: Inside, box: Box, levels: int) -> Nodes:
     _ask(inside, box, step, held, known, ~known)
     for _ in range(levels):
         step *= 0.5
-        held, known, asked = _halved(held)
+        held, known, asked = _halved(held, known)
         while asked.any():
             _ask(inside, box, step, held, known, asked)
             asked = any_near(held) & any_near(~held) & ~known
@@ -74,18 +74,17 @@ def all_near(nodes: Bools) -> Bools:
     return found
 
 
-def _halved(held: Bools) -> tuple[Bools, Bools, Bools]:
+def _halved(held: Bools, known: Bools) -> tuple[Bools, Bools, Bools]:
     """The grid of half the step: nodes held or taken to be held, known, and to be asked."""
     shape = (2 * held.shape[0] - 1, 2 * held.shape[1] - 1)
-    finer, asked, known = np.zeros(shape, bool), np.zeros(shape, bool), np.zeros(shape, bool)
-    known[::2, ::2] = True
-    finer[::2, ::2] = held
+    finer, asked, settled = np.zeros(shape, bool), np.zeros(shape, bool), np.zeros(shape, bool)
+    finer[::2, ::2], settled[::2, ::2] = held, known
     for into, along in ((np.s_[1::2, ::2], (held[:-1], held[1:])), (np.s_[::2, 1::2], (held[:, :-1], held[:, 1:]))):
         finer[into], asked[into] = along[0] & along[1], along[0] ^ along[1]
     corners = held[:-1, :-1], held[1:, :-1], held[:-1, 1:], held[1:, 1:]
     every, some = np.logical_and.reduce(corners), np.logical_or.reduce(corners)
     finer[1::2, 1::2], asked[1::2, 1::2] = every, some & ~every
-    return finer, known, asked
+    return finer, settled, asked
 
 
 def _ask(inside: Inside, box: Box, step: float, held: Bools, known: Bools, asked: Bools) -> None:
