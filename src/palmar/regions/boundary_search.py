@@ -94,7 +94,8 @@ def _ask(inside: Inside, box: Box, step: float, held: Bools, known: Bools, asked
         asked = asked | asked[:, ::-1]
         asked[:, : last // 2] = False
     rows, columns = np.nonzero(asked)
-    found = inside(step * (columns - 0.5 * last), step * rows)
+    x, y = step * (columns.astype(np.float64) - 0.5 * last), step * rows.astype(np.float64)
+    found = inside(x, y)
     held[rows, columns], known[rows, columns] = found, True
     if box.mirrored:
         held[rows, last - columns], known[rows, last - columns] = found, True
