@@ -37,3 +37,18 @@ def test_sampled_region_of_a_square(benchmark):
     body = polygon_body(np.array([[-0.03, -0.03], [0.03, -0.03], [0.03, 0.03], [-0.03, 0.03]]), 0.7)
     motion = straight_motion(CASE.hand)
     benchmark(sampled_sets, motion, body, (0.0, 0.0), np.array([0.3]), 0.004)
+
+
+def test_sampled_region_of_a_rectangle_at_all_orientations(benchmark):
+    """72 orientations, starts 7.3 mm apart; a rectangle is the same after half a turn and in the mirror."""
+    body = polygon_body(np.array([[-0.04, -0.027], [0.04, -0.027], [0.04, 0.027], [-0.04, 0.027]]), 0.7)
+    motion, thetas = straight_motion(CASE.hand), np.linspace(0.0, 2.0 * np.pi, 72, endpoint=False)
+    benchmark.pedantic(sampled_sets, (motion, body, (0.0, 0.0), thetas, 0.0075), rounds=5, warmup_rounds=1)
+
+
+def test_sampled_region_of_an_odd_polygon_at_all_orientations(benchmark):
+    """The same without any symmetry."""
+    corners = np.array([[-0.035, -0.025], [0.038, -0.03], [0.03, 0.028], [-0.022, 0.033]])
+    body = polygon_body(corners - np.array([0.0036, 0.0011]), 0.7)
+    motion, thetas = straight_motion(CASE.hand), np.linspace(0.0, 2.0 * np.pi, 72, endpoint=False)
+    benchmark.pedantic(sampled_sets, (motion, body, (0.0, 0.0), thetas, 0.0075), rounds=3, warmup_rounds=1)

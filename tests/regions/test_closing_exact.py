@@ -70,6 +70,18 @@ def test_inside_everything_is_caught_and_outside_nothing(seed):
         assert not caught[~shapely.contains_xy(sets.outer.buffer(1e-9), starts)].any()
 
 
+@pytest.mark.parametrize("half_thickness", [0.0, 0.06])
+@pytest.mark.parametrize(("radius", "first"), [(0.03, 0.0), (0.3, 0.4)])
+def test_inner_and_outer_side_are_no_farther_apart_than_said(half_thickness, radius, first):
+    hand = ClosingHand(0.5, 1.0, half_thickness, radius, 0.6, first, 2.6)
+    sets = exact_sets(hand, build_tables(hand, disk_surface(radius), spin=False), 1e-4)
+    assert 0.0 < sets.flattening <= 1e-4
+    corners = shapely.get_coordinates(shapely.segmentize(sets.outer.boundary, 0.01))
+    # Where the boundary meets its mirror image at an angle, the corner moves farther than the lines.
+    beside = shapely.points(corners[np.abs(corners[:, 0]) > 0.02])
+    assert shapely.distance(beside, sets.centre.boundary).max() <= 2.0 * sets.flattening
+
+
 def test_the_published_region_promises_what_the_exact_one_does_not_keep():
     exact, published = (build_region(EXAMPLE, model) for model in (Model.EXACT, Model.PUBLISHED))
     for start in ((2.3, 0.5 + 1e-9), (1.1, 2.0)):

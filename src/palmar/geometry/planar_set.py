@@ -27,6 +27,8 @@ class Circle:
 
 def areal(geometry: BaseGeometry) -> MultiPolygon:
     """Only the two-dimensional parts of a geometry."""
+    if isinstance(geometry, Polygon):
+        return MultiPolygon([geometry]) if geometry.area > 0.0 else EMPTY
     parts = [part for part in shapely.get_parts(geometry) if isinstance(part, Polygon) and part.area > 0.0]
     nested = [piece for part in shapely.get_parts(geometry) if isinstance(part, MultiPolygon) for piece in part.geoms]
     return MultiPolygon(parts + nested)
@@ -34,12 +36,32 @@ def areal(geometry: BaseGeometry) -> MultiPolygon:
 
 def outline(points: NDArray[np.float64]) -> MultiPolygon:
     """The set enclosed by a closed polyline (N, 2); crossings of the line with itself are resolved."""
-    return areal(shapely.make_valid(Polygon(points), method="structure"))
+    shape = Polygon(points)
+    return areal(shape if shape.is_valid else shapely.make_valid(shape, method="structure"))
 
 
 def with_mirror_image(half: BaseGeometry) -> MultiPolygon:
     """A set together with its mirror image in the y axis."""
+    whole = _stitched(half)
+    if whole is not None:
+        return MultiPolygon([whole])
     return areal(shapely.union(half, affinity.scale(half, xfact=-1.0, origin=(0.0, 0.0))))
+
+
+def _stitched(half: BaseGeometry) -> Polygon | None:
+    """A polygon right of the y axis that lies on it with one edge, joined to its mirror image there; None for others."""
+    parts = half.geoms if isinstance(half, MultiPolygon) else [half]
+    if len(parts) != 1 or not isinstance(parts[0], Polygon) or parts[0].is_empty or parts[0].interiors:
+        return None
+    ring = shapely.get_coordinates(parts[0].exterior)[:-1]
+    on = ring[:, 0] == 0.0
+    ends = np.flatnonzero(on & ~np.concatenate([on[1:], on[:1]]))
+    if len(ends) != 1 or on.sum() < 2 or ring[:, 0].min() < 0.0:
+        return None
+    # From the last corner on the axis around to the first one.
+    begin = int(ends[0])
+    chain = np.concatenate([ring[begin:], ring[:begin]])[: len(ring) - int(on.sum()) + 2]
+    return Polygon(np.concatenate([chain, chain[-2:0:-1] * np.array([-1.0, 1.0])]))
 
 
 def seen_from_object(region: MultiPolygon) -> MultiPolygon:

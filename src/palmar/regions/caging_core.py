@@ -15,7 +15,7 @@ from math import acos, ceil, cos, hypot, pi, radians
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import MultiPoint, MultiPolygon, Polygon, affinity
+from shapely import LineString, MultiPolygon, Polygon, affinity
 from shapely.geometry.base import BaseGeometry
 
 from palmar.geometry.planar_set import EMPTY, areal
@@ -98,4 +98,5 @@ def _swept(hand: Hand, psi: float) -> Floats:
 
 def _sum(first: Floats, second: Floats) -> BaseGeometry:
     """Minkowski sum of two hulls."""
-    return MultiPoint((first[:, None, :] + second[None, :, :]).reshape(-1, 2)).convex_hull
+    # A line through all the points: made at once, where a MultiPoint makes a geometry of each.
+    return LineString((first[:, None, :] + second[None, :, :]).reshape(-1, 2)).convex_hull

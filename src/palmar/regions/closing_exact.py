@@ -9,19 +9,21 @@ Delta, its part on the tip the outer boundary. Derived in docs/derivations/exact
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan, cos, nan, pi, sqrt
+from math import acos, atan, ceil, cos, pi, sqrt
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import MultiPolygon, Polygon
+from shapely import MultiPolygon
 from shapely.geometry.base import BaseGeometry
 
 from palmar.geometry.planar_set import EMPTY, areal, grown, outline, with_mirror_image
+from palmar.geometry.quadrant import in_quadrant
 from palmar.mechanics.pushing.closing import close_on_few
 from palmar.mechanics.pushing.closing_family import (
     JUST_AFTER,
     NO_START,
+    NO_WAY,
     begin_of_way,
     clearance,
     contact_on_way,
@@ -33,7 +35,7 @@ from palmar.mechanics.pushing.closing_family import (
     way_points,
     ways_may_return,
 )
-from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables
+from palmar.mechanics.pushing.closing_tables import TIP_NODES, ClosingHand, Tables
 from palmar.mechanics.pushing.closing_tip import HALF
 from palmar.mechanics.pushing.first_touch import first_contacts
 from palmar.models.outcome import Outcome
@@ -42,8 +44,10 @@ Floats = NDArray[np.float64]
 SAMPLES, ASIDE = 256, (1e-6, 1e-4, 1e-3, 1e-2)
 """Ways looked at, besides those so far (rad) to both sides of every way that is known to tell: a range of fates in which
 none of them falls would be missed."""
-ARC = 33
-"""Points on a quarter of the clearance about a joint or tip."""
+FEWEST, SHARE, SPARE = 32, 0.9, 1.02
+"""Chords of a way at first; part of the tolerance that curves aim at; allowance for a way moved aside."""
+SNAP = 1e-12
+"""Corners this near (radii) to axis and palm line lie on them."""
 
 
 @dataclass(frozen=True)
@@ -73,11 +77,23 @@ class ExactSides:
 
 @dataclass(frozen=True)
 class _Closing:
-    """A hand, its tables and its friction angle."""
+    """A hand, its tables, its friction angle, and how far (m) curves may be flattened."""
 
     hand: ClosingHand
     tables: Tables
     alpha: float
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class _Way:
+    """The part of a way from one angle of the finger to another (rad), its corners (N, 2) and the chords' error (m)."""
+
+    tau: float
+    begin: float
+    end: float
+    points: Floats
+    bound: float
 
 
 def exact_sets(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSets:
@@ -94,9 +110,9 @@ def exact_sets(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSets
 
 def exact_sides(hand: ClosingHand, tables: Tables, tolerance: float) -> ExactSides:
     """The right half of the centre region, inner and outer side, which is all that decides about a start."""
-    closing = _Closing(hand, tables, atan(hand.friction))
+    closing = _Closing(hand, tables, atan(hand.friction), tolerance)
     ways = caught_ways(closing)
-    return ExactSides(*_halves(closing, ways, tolerance), ways)
+    return ExactSides(*_halves(closing, ways), ways)
 
 
 def caught_ways(closing: _Closing) -> tuple[tuple[float, float | None], ...]:
@@ -110,100 +126,128 @@ def _runs(closing: _Closing, returned: bool) -> list[tuple[float, float | None, 
     known = telling_taus(closing.hand, closing.tables, closing.alpha)
     telling = [tau + side * aside for tau in known for aside in ASIDE for side in (-1.0, 1.0)]
     taus = np.sort([*np.linspace(low, high, SAMPLES + 2)[1:-1], *(tau for tau in telling if low < tau < high)])
-    codes, ends = np.empty(len(taus), np.int8), np.empty(len(taus))
-    fates(closing.hand, closing.tables, closing.alpha, taus, returned, codes, ends)
-    kinds = np.where(codes == NO_START, -1, codes <= Outcome.CAGED.code)
-    begins = np.flatnonzero(np.diff(kinds, prepend=-1))
+    kinds, ends = np.empty(len(taus), np.int8), np.empty(len(taus))
+    fates(closing.hand, closing.tables, closing.alpha, taus, returned, kinds, ends)
+    begins = np.flatnonzero(np.diff(kinds, prepend=NO_WAY))
     runs = []
     for k, after in zip(begins, [*begins[1:], len(kinds)], strict=True) if len(begins) else ():
-        stop = None if after == len(kinds) or kinds[after] < 0 else float(ends[after])
-        if kinds[k] >= 0:
+        stop = None if after == len(kinds) or kinds[after] == NO_WAY else float(ends[after])
+        if kinds[k] != NO_WAY:
             runs.append((float(ends[k]), stop, bool(kinds[k])))
     return runs
 
 
 def _halves(
-    closing: _Closing, ways: tuple[tuple[float, float | None], ...], tolerance: float
+    closing: _Closing, ways: tuple[tuple[float, float | None], ...]
 ) -> tuple[BaseGeometry, BaseGeometry, float]:
     """Inner and outer side of the right half, and the bound (m) of their distance from the true boundary."""
     inner: BaseGeometry = EMPTY
     outer: BaseGeometry = EMPTY
-    worst = 0.0
+    worst = SHARE * closing.tolerance  # that of arcs, see _arc_corners
     for low, high in ways:
-        inside, outside, bound = _between(closing, low, high, False, tolerance)
-        inner, outer, worst = inner | inside, outer | outside, max(worst, bound)
+        inside, outside, bound = _between(closing, low, high, False)
+        inner, outer = (inside, outside) if outer.is_empty else (inner | inside, outer | outside)
+        worst = max(worst, bound)
     for low, high, caught in _runs(closing, True) if ways_may_return(closing.hand) else ():
-        inside, outside, _ = _between(closing, low, high, True, tolerance)
+        inside, outside, _ = _between(closing, low, high, True)
         inner, outer = (inner | inside, outer | outside) if caught else (inner - outside, outer - inside)
     for part, kept in _untouched(closing):
         inner, outer = (inner | part, outer | part) if kept else (inner - part, outer - part)
-    return inner, outer, 2.0 * worst
+    return inner, outer, worst
 
 
 def _between(
-    closing: _Closing, low: float, high: float | None, returned: bool, tolerance: float
+    closing: _Closing, low: float, high: float | None, returned: bool
 ) -> tuple[BaseGeometry, BaseGeometry, float]:
     """Starts between two ways: from the inner and the outer side, and the error (m) of the chords."""
-    inside, bound = _up_to_way(closing, low, returned, tolerance, 1.0)
-    outside, _ = _up_to_way(closing, low, returned, tolerance, -1.0)
-    if high is not None:
-        inside = inside - _up_to_way(closing, high, returned, tolerance, -1.0)[0]
-        outside = outside - _up_to_way(closing, high, returned, tolerance, 1.0)[0]
-    return inside, outside, bound
+    inside, outside, bound = _up_to_way(closing, low, returned)
+    if high is None:
+        return inside, outside, bound
+    nearer, farther, other = _up_to_way(closing, high, returned)
+    return inside - farther, outside - nearer, max(bound, other)
 
 
-def _up_to_way(
-    closing: _Closing, tau: float, returned: bool, tolerance: float, side: float
-) -> tuple[BaseGeometry, float]:
-    """The right half's starts from the hand out to a way, or to its part that has returned; and the chords' error (m).
+def _up_to_way(closing: _Closing, tau: float, returned: bool) -> tuple[BaseGeometry, BaseGeometry, float]:
+    """The right half's starts from the hand out to a way, or to its part that has returned; and the error (m).
 
-    The way is moved towards the hand (side 1) or outwards (-1) by that error: ways lie apart by at least R cos alpha per
-    radian of tau, since the contact moves out at R or more and the motion leans by at most alpha from the normal.
+    From the inner and the outer side: the way is moved towards the hand, or outwards, by the error of its chords. Ways lie
+    apart by at least R cos alpha per radian of tau, since the contact moves out at R or more and the motion leans by at
+    most alpha from the normal. Where they spread more the way is moved farther: the error returned is chords and move
+    together, and there are as many chords as keep it within the tolerance.
     """
+    few = _way(closing, tau, returned, FEWEST)
+    if few is None:
+        return EMPTY, EMPTY, 0.0
+    spread = closing.hand.radius * cos(closing.alpha)
+    moved = 1.0 + _widest_spread(closing, few) / spread
+    chords = max(FEWEST, ceil(FEWEST * sqrt(few.bound * moved / (SHARE * closing.tolerance))))
+    worst, bound = few.bound * (FEWEST / chords) ** 2, 0.0
+    while worst > bound:
+        bound = SPARE * worst
+        aside = bound / spread
+        near, far = _way(closing, tau + aside, returned, chords), _way(closing, tau - aside, returned, chords)
+        worst = max(near.bound if near else 0.0, far.bound if far else 0.0)
+    return _enclosed(closing, near, returned, True), _enclosed(closing, far, returned, False), bound * moved
+
+
+def _widest_spread(closing: _Closing, way: _Way) -> float:
+    """How far (m) ways near this one are apart per radian of tau, at most: r' <= rho on the link, rho beta' on the tip."""
     hand, tables = closing.hand, closing.tables
-    radius, bound = hand.radius, 0.0
-    points = np.empty((max(32, int(2.0 * sqrt(hand.length / tolerance))), 2))
-    begin = end = nan
-    for _ in range(2):
-        tau += side * bound / (radius * cos(closing.alpha))
-        first = return_of_way if returned else begin_of_way
-        begin = first(hand, tables, closing.alpha, tau)
-        if not begin < hand.last:
-            return EMPTY, bound
-        begin += JUST_AFTER if returned else 0.0
-        end = end_of_way(hand, tables, closing.alpha, tau, begin)
-        bound = way_points(hand, tables, tau, begin, end, points)
-    x, y = points[-1]
+    _, beta = contact_on_way(hand, tables, way.tau, way.end)
+    passed = tables.rate[: ceil(beta / HALF * (TIP_NODES - 1)) + 1]
+    return (hand.radius + hand.half_thickness) * max(1.0, float(passed.max()))
+
+
+def _way(closing: _Closing, tau: float, returned: bool, chords: int) -> _Way | None:
+    """A way, or its part that has returned, drawn with so many chords; None where no disk can stand on it."""
+    hand, tables = closing.hand, closing.tables
+    first = return_of_way if returned else begin_of_way
+    begin = first(hand, tables, closing.alpha, tau)
+    if not begin < hand.last:
+        return None
+    begin += JUST_AFTER if returned else 0.0
+    end = end_of_way(hand, tables, closing.alpha, tau, begin)
+    points = np.empty((chords + 1, 2))
+    bound = way_points(hand, tables, tau, begin, end, points)
+    return _Way(tau, begin, end, points, bound)
+
+
+def _enclosed(closing: _Closing, way: _Way | None, returned: bool, clear: bool) -> BaseGeometry:
+    """The right half's starts from the hand out to a way."""
+    if way is None:
+        return EMPTY
+    hand, radius = closing.hand, closing.hand.radius
+    x, y = way.points[-1]
     back, closure = pi, np.array([[0.0, max(y, radius)], [0.0, radius]])
-    if end >= hand.last and x > 1e-9 * radius and y > radius * (1.0 + 1e-9):
-        back, closure = hand.last + HALF, _clearance(closing, tau, end, hand.last + HALF, side > 0.0)[ARC:][::-1]
-    start = np.array([[points[0, 0], radius]]) if returned else _clearance(closing, tau, begin, back, side > 0.0)
-    ring = np.concatenate([points, closure, start])
-    return _valid(Polygon(ring), radius), bound
+    if way.end >= hand.last and x > 1e-9 * radius and y > radius * (1.0 + 1e-9):
+        back = hand.last + HALF
+        around = _clearance(closing, way.tau, way.end, back, clear)
+        closure = around[len(around) // 2 :][::-1]
+    start = np.array([[way.points[0, 0], radius]]) if returned else _clearance(closing, way.tau, way.begin, back, clear)
+    return in_quadrant(np.concatenate([way.points, closure, start]), radius, SNAP * radius)
 
 
 def _clearance(closing: _Closing, tau: float, psi: float, back: float, clear: bool) -> Floats:
-    """The clearance of the finger at psi, from the joint out to the way tau."""
-    points = np.empty((2 * ARC, 2))
+    """The clearance of the finger at psi, from the joint out to the way tau: as many corners about joint as about end."""
     reach, beta = contact_on_way(closing.hand, closing.tables, tau, psi)
+    points = np.empty((2 * _arc_corners(closing, max(back - psi - HALF, beta)), 2))
     clearance(closing.hand, psi, back, reach, beta, clear, points)
     return points
 
 
-def _valid(shape: BaseGeometry, radius: float) -> BaseGeometry:
-    """The part of a right half that is not beyond the axis or in the palm."""
-    whole = shape if shape.is_valid else shapely.make_valid(shape, method="structure")
-    far = max(map(abs, shape.bounds)) + radius
-    return shapely.intersection(whole, shapely.box(0.0, radius, far, 2.0 * far))
+def _arc_corners(closing: _Closing, angle: float) -> int:
+    """Corners of an arc of radius rho over this angle (rad), its chords and tangents off by at most SHARE tolerances."""
+    rho = closing.hand.radius + closing.hand.half_thickness
+    return 3 + ceil(angle / (2.0 * acos(1.0 / (1.0 + SHARE * closing.tolerance / rho))))
 
 
 def _untouched(closing: _Closing) -> list[tuple[BaseGeometry, bool]]:
     """Parts of the right half that no finger reaches, each with whether a disk there is enclosed in the end."""
     hand = closing.hand
-    points = np.empty((2 * ARC, 2))
+    points = np.empty((2 * _arc_corners(closing, HALF), 2))
     clearance(hand, hand.last, pi, hand.length, HALF, False, points)
     top = np.array([[0.0, points[-1, 1]], [0.0, hand.radius]])
-    pocket = _valid(Polygon(np.concatenate([points, top])), hand.radius)
+    pocket = in_quadrant(np.concatenate([points, top]), hand.radius, SNAP * hand.radius)
     parts = [part for part in shapely.get_parts(pocket) if part.area > 1e-9 * hand.radius**2]
     if not parts:
         return []
@@ -225,4 +269,4 @@ def _contacts(hand: ClosingHand, half: BaseGeometry) -> MultiPolygon:
         touched = touched[np.isfinite(touched[:, 0])]
         if len(touched) > 2:
             pieces.append(outline(touched))
-    return areal(shapely.union_all(pieces))
+    return areal(pieces[0] if len(pieces) == 1 else shapely.union_all(pieces))

@@ -15,7 +15,7 @@ from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
-from palmar.regions.disk import disk_region, disk_sets, empty_reason
+from palmar.regions.disk import disk_region, disk_sides, empty_reason
 from palmar.regions.region import Model, Region
 from palmar.regions.robust import robust_sets
 from palmar.regions.simulated import Orientations, object_reach, simulated_region, simulated_sets
@@ -85,8 +85,7 @@ def _over_ranges(
     if _is_centred_disk(case):
 
         def sides(each: Case) -> tuple[MultiPolygon, MultiPolygon]:
-            sets = disk_sets(each, tolerance)
-            return sets.centre, sets.outer
+            return disk_sides(each, tolerance)
     else:
         step = simulated_sets(case.settled([each.low for each in case.ranges]), orientations, spacing).spacing
 
@@ -117,6 +116,6 @@ def _over_ranges(
 def _why_empty(case: Case, closure: Closure, tolerance: float) -> str:
     if _is_centred_disk(case):
         for each in case.corners():
-            if disk_sets(each, tolerance).centre.is_empty:
+            if disk_sides(each, tolerance)[0].is_empty:
                 return f"for some of the values given as ranges, {empty_reason(each, closure)}"
     return "no start is caught for all values of the numbers given as ranges"

@@ -78,7 +78,8 @@ def _widest(slider: Slider, psi: Floats) -> Floats:
     normals = np.column_stack([np.cos(angles), np.sin(angles)])
     support = (slider.core @ normals.T).max(axis=0) + slider.rounding
     apart = np.rint((FULL_TURN - 2.0 * psi) / FULL_TURN * TURNS).astype(int)
-    sums = np.array([float((support + np.roll(support, -turn)).max()) for turn in apart])
+    twice = np.concatenate([support, support])
+    sums = np.array([float((support + twice[turn : turn + TURNS]).max()) for turn in apart % TURNS])
     reach = float(np.hypot(slider.core[:, 0], slider.core[:, 1]).max()) + slider.rounding
     missed: Floats = sums + 2.0 * reach * FULL_TURN / TURNS
     return np.minimum(missed, 2.0 * reach)

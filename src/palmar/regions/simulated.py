@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, degrees, hypot, pi, radians
+from math import ceil, cos, degrees, hypot, pi, radians
 
 import numpy as np
 import shapely
@@ -33,28 +33,39 @@ FINEST = 1.0 / 2048.0
 """Least spacing, in finger lengths: finer ones would take hours."""
 TURN = radians(5.0)
 """Orientations at most this far apart are simulated."""
+QUARTER = 16
+"""Chords of a quarter circle."""
 
 
-def simulated_sets(case: Case, orientations: Orientations | None, spacing: float | None) -> SampledSets:
-    """The sets of a case without ranges, at all orientations asked for; raises NotCoveredError if no finger can move."""
+def simulated_sets(
+    case: Case, orientations: Orientations | None, spacing: float | None, certain: MultiPolygon = EMPTY
+) -> SampledSets:
+    """The sets of a case without ranges, at all orientations asked for; raises NotCoveredError if no finger can move.
+
+    Positions in ``certain`` (m) are known to be caught and are not simulated.
+    """
     motion, slider = straight_motion(case.hand), slider_of(case.object, case.support)
     if motion.last <= motion.first:
         raise NotCoveredError("hand.open_deg: the fingers cannot close any further")
     thetas = _thetas(*(orientations or (case.start.theta, case.start.theta)))
     body = slider_body(slider, case.contact.friction)
     length = case.hand.finger_length
-    return sampled_sets(motion, body, slider.centre, thetas, max(spacing or SPACING * length, FINEST * length))
+    return sampled_sets(motion, body, slider.centre, thetas, max(spacing or SPACING * length, FINEST * length), certain)
 
 
 def simulated_region(case: Case, closure: Closure, orientations: Orientations | None, spacing: float | None) -> Region:
     """The region of a case without ranges, caught at all orientations asked for, with its certain part."""
     low, high = orientations or (case.start.theta, case.start.theta)
     thetas = _thetas(low, high)
-    sets = simulated_sets(case, orientations, spacing)
     core = _certain(case, low, high)
+    sets = simulated_sets(case, orientations, spacing, core)
     whole, flattening = _whole(sets.centre, case.object, thetas)
     apart = degrees(thetas[1] - thetas[0]) if len(thetas) > 1 else 0.0
     spread = f", at {sets.orientations} orientations {apart:.3g} deg apart" if apart else ""
+    if sets.different < sets.orientations:
+        spread += f" of which {sets.different} differ"
+    if sets.mirrored:
+        spread += ", the mirror image taken for the other half"
     empty = sets.centre.is_empty and core.is_empty
     return Region(
         model=Model.EXACT,
@@ -83,12 +94,23 @@ def _certain(case: Case, low: float, high: float) -> MultiPolygon:
     pushed: BaseGeometry = pushed_core(
         hand.half_palm, hand.finger_length, hand.open, last, slider, case.contact.friction
     )
-    if slider.centre != (0.0, 0.0):
-        thetas = _thetas(low, high)
-        pushed = pushed.buffer(-hypot(*slider.centre) * 0.5 * TURN) if len(thetas) > 1 else pushed
-        arms = [turned([slider.centre], float(theta))[0] for theta in thetas]
-        pushed = shapely.intersection_all([affinity.translate(pushed, -x, -y) for x, y in arms])
-    return areal(untouched | pushed)
+    return areal(untouched | _seen_from_frame(pushed, slider.centre, low, high))
+
+
+def _seen_from_frame(places: BaseGeometry, centre: tuple[float, float], low: float, high: float) -> BaseGeometry:
+    """Places of the centre of pressure -> places of the object's frame from which it lies there at all orientations."""
+    arm = hypot(*centre)
+    if arm == 0.0 or places.is_empty:
+        return places
+    if high - low >= 2.0 * pi - 1e-9:
+        # The centre may be anywhere on a circle; corners of the arcs are put outside of it.
+        return places.buffer(-arm / cos(pi / (4.0 * QUARTER)), quad_segs=QUARTER)
+    thetas = _thetas(low, high)
+    if len(thetas) > 1:
+        places = places.buffer(-arm * 0.5 * TURN)
+    arms = [turned([centre], float(theta))[0] for theta in thetas]
+    within: BaseGeometry = shapely.intersection_all([affinity.translate(places, -x, -y) for x, y in arms])
+    return within
 
 
 def object_reach(thing: Object) -> float:

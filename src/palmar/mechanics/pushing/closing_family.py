@@ -26,7 +26,9 @@ from palmar.mechanics.pushing.interpolation import between
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
-NO_START = Outcome.INVALID.code
+NO_START, CAGED = Outcome.INVALID.code, Outcome.CAGED.code
+NO_WAY = -1
+"""Stands for the fate of a way on which no disk can stand."""
 JUST_AFTER = 1e-5
 """A fate is asked of a start this far (rad) along its way, so that the finger is sure to meet it."""
 SCANS, RETURN_SCANS, HALVINGS = 64, 24, 60
@@ -206,22 +208,37 @@ def fate(hand: ClosingHand, tables: Tables, alpha: float, tau: float, returned: 
 
 
 @compiled
-def fates(
-    hand: ClosingHand, tables: Tables, alpha: float, taus: Floats, returned: bool, codes: NDArray[np.int8], ends: Floats
-) -> None:
-    """The fate of each of rising ``taus`` (N,), and in ``ends`` (N,) the tau up to which it is that of the one before.
+def is_caught(hand: ClosingHand, tables: Tables, alpha: float, tau: float, returned: bool) -> int:
+    """Whether the disk on a way is caught, 1 or 0; NO_WAY where no disk can stand on it."""
+    code = fate(hand, tables, alpha, tau, returned)
+    if code == NO_START:
+        return NO_WAY
+    return 1 if code <= CAGED else 0
 
-    ``ends[k]`` is bisected where two neighbours differ, else it is taus[k].
+
+@compiled
+def fates(
+    hand: ClosingHand,
+    tables: Tables,
+    alpha: float,
+    taus: Floats,
+    returned: bool,
+    caught: NDArray[np.int8],
+    ends: Floats,
+) -> None:
+    """``is_caught`` of each of rising ``taus`` (N,), and in ``ends`` (N,) the tau up to which it is that of the one before.
+
+    ``ends[k]`` is bisected where a way differs from the one before and disks can stand on it, else it is taus[k].
     """
     for k in range(len(taus)):
-        codes[k] = fate(hand, tables, alpha, taus[k], returned)
+        caught[k] = is_caught(hand, tables, alpha, taus[k], returned)
         ends[k] = taus[k]
-        if k == 0 or codes[k] == codes[k - 1]:
+        if k == 0 or caught[k] == caught[k - 1] or caught[k] == NO_WAY:
             continue
         low, high = taus[k - 1], taus[k]
         while high - low > TAU_TOLERANCE:
             middle = 0.5 * (low + high)
-            if fate(hand, tables, alpha, middle, returned) == codes[k - 1]:
+            if is_caught(hand, tables, alpha, middle, returned) == caught[k - 1]:
                 low = middle
             else:
                 high = middle
@@ -234,24 +251,27 @@ def way_points(hand: ClosingHand, tables: Tables, tau: float, begin: float, end:
     step, sharpest = (end - begin) / (len(points) - 1), 0.0
     for k in range(len(points)):
         psi = begin + k * step
-        points[k, 0], points[k, 1] = place_on_way(hand, tables, tau, psi)
-        sharpest = max(sharpest, _bend(hand, tables, tau, psi))
+        r, beta = contact_on_way(hand, tables, tau, psi)
+        points[k, 0], points[k, 1] = link_place(hand, psi, r) if psi < tau else tip_place(hand, psi, beta)
+        sharpest = max(sharpest, _bend_on_link(hand) if psi < tau else _bend_on_tip(hand, tables, beta))
     return 1.2 * sharpest * step * step / 8.0
 
 
 @compiled
-def _bend(hand: ClosingHand, tables: Tables, tau: float, psi: float) -> float:
-    """Bound of |c''| (m) at psi: on a link c'' = (r'' - r) d + (2 r' - rho) n, with 0 < r' <= rho and |r''| <= mu rho;
-    on the tip c'' = -L d - rho (1 - g)^2 m - rho g g_beta p with g = beta'.
-    """
+def _bend_on_link(hand: ClosingHand) -> float:
+    """Bound of |c''| (m) on a link: c'' = (r'' - r) d + (2 r' - rho) n, with 0 < r' <= rho and |r''| <= mu rho."""
     rho = hand.radius + hand.half_thickness
-    if psi < tau:
-        drag = hand.friction * rho if hand.half_thickness > 0.0 else 0.0
-        return hypot(hand.length + drag, rho)
+    drag = hand.friction * rho if hand.half_thickness > 0.0 else 0.0
+    return hypot(hand.length + drag, rho)
+
+
+@compiled
+def _bend_on_tip(hand: ClosingHand, tables: Tables, beta: float) -> float:
+    """Bound of |c''| (m) on the tip: c'' = -L d - rho (1 - g)^2 m - rho g g_beta p with g = beta'."""
     nodes = TIP_NODES - 1
-    k = min(int(lean_at(tables, psi - tau) / HALF * nodes), nodes - 1)
+    k = min(int(beta / HALF * nodes), nodes - 1)
     rate, growth = tables.rate[k], (tables.rate[k + 1] - tables.rate[k]) * nodes / HALF
-    return hand.length + rho * hypot((1.0 - rate) ** 2, rate * growth)
+    return hand.length + (hand.radius + hand.half_thickness) * hypot((1.0 - rate) ** 2, rate * growth)
 
 
 @compiled
