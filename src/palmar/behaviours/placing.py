@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from shapely import MultiPoint, MultiPolygon, affinity
 from shapely.geometry.base import BaseGeometry
 
-from palmar.geometry.planar_set import areal
+from palmar.geometry.planar_set import areal, inscribed_circle
 from palmar.regions.shrink import shrunk
 
 Floats = NDArray[np.float64]
@@ -65,12 +65,11 @@ def place(goal: Target, belief: BaseGeometry) -> Place | None:
     free = shrunk(goal.simple, around(belief))
     if free.is_empty:
         return None
-    largest = max(free.geoms, key=lambda each: each.area)
-    spoke = shapely.maximum_inscribed_circle(largest, CENTRED * max(goal.extent))
-    x, y = shapely.get_coordinates(spoke)[0]
+    room = inscribed_circle(free, CENTRED * max(goal.extent))
+    x, y = room.centre
     if not goal.region.covers(affinity.translate(belief, x, y)):
         return None
-    return Place(float(-x), float(-y), float(spoke.length))
+    return Place(-x, -y, room.radius)
 
 
 def around(belief: BaseGeometry) -> BaseGeometry:

@@ -35,6 +35,7 @@ class Plan:
     found: Found
     stretches: tuple[Stretch, ...]
     doubt: Doubt
+    closure: Closure
 
 
 def plan(
@@ -46,7 +47,7 @@ def plan(
     """
     planner, stretches = planner_of(case, closure)
     belief = shapely.affinity.translate(uncertainty, *at)
-    return Plan(planner.plan(belief, most), stretches, planner.doubt)
+    return Plan(planner.plan(belief, most), stretches, planner.doubt, closure)
 
 
 def planner_of(case: Case, closure: Closure = Closure.FRICTIONAL) -> tuple[Planner, tuple[Stretch, ...]]:

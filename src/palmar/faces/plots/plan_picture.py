@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from shapely import affinity
+from shapely import MultiPolygon, affinity
 
 from palmar.behaviours.policy import Approach, Close, Lost, Policy, approaches
 from palmar.faces.plan_record import sensor_name
@@ -16,7 +18,6 @@ from palmar.faces.plots.sheet import MARGIN, Extent, Pad, Room, Sheet, sheet
 from palmar.faces.plots.style import HEADING_SIZE, SMALL_SIZE, TEXT_SIZE, Role
 from palmar.geometry.planar_set import areal
 from palmar.models.case import Case
-from palmar.models.closure import Closure
 from palmar.models.objects import Disk
 from palmar.regions.exact import exact_region
 from palmar.studies.plan import Plan
@@ -35,15 +36,15 @@ LEAST = 1.5e-3
 def plan_picture(case: Case, plan: Plan) -> Figure:
     """A panel for each move of the branch with the most approaches, then the least margin, each in the hand's frame."""
     branch = _hardest(plan.found.policy)
-    extents = [[_extent(case, policy)] for policy, _ in branch]
-    room = Room(Pad(3.0, LEGEND_ROW * 2 + 2.0, 3.0, 5.0), ROOM.outside, ROOM.inside)
+    extents = [[_extent(case, policy, plan)] for policy, _ in branch]
+    room = replace(ROOM, sides=replace(ROOM.sides, bottom=LEGEND_ROW * 2 + 2.0))
     page = sheet(extents, title="Where the object may be, move by move", footer=_footer(plan), room=room)
     for (policy, sensor), (axes,), (extent,) in zip(branch, page.panels, extents, strict=True):
         millimetre_ticks(axes)
         if isinstance(policy, Approach):
             _draw_approach(axes, case, policy, sensor, extent)
         else:
-            _draw_end(axes, case, policy, extent)
+            _draw_end(axes, case, policy, plan, extent)
         _facts(page, axes, policy, sensor, plan)
     legend(page, (MARGIN, page.box(page.panels[-1][0]).bottom - ROOM.outside.bottom), list(BANDS))
     return page.figure
@@ -71,7 +72,7 @@ def _least_margin(policy: Policy) -> float:
     return policy.place.margin if isinstance(policy, Close) else 0.0
 
 
-def _extent(case: Case, policy: Policy) -> Extent:
+def _extent(case: Case, policy: Policy, plan: Plan) -> Extent:
     """Hand and belief, seen from the hand as it stands for this move."""
     x, y = _stand(policy)
     left, bottom, right, top = policy.belief.bounds
@@ -79,7 +80,13 @@ def _extent(case: Case, policy: Policy) -> Extent:
     opening = policy.opening if not isinstance(policy, Lost) else case.hand.open
     reach = abs(finger_points(case.hand, (opening,))).max(axis=0) + case.hand.half_thickness
     seen = Extent(left - x - size, bottom - y - size, right - x + size, top - y + size)
-    return seen.joined(Extent(-reach[0], -case.hand.half_thickness, reach[0], reach[1]))
+    seen = seen.joined(Extent(-reach[0], -case.hand.half_thickness, reach[0], reach[1]))
+    return seen.joined(Extent(*_region(case, policy, plan).bounds)) if isinstance(policy, Close) else seen
+
+
+def _region(case: Case, policy: Close, plan: Plan) -> MultiPolygon:
+    opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": policy.opening})})
+    return exact_region(opened, plan.closure).centre
 
 
 def _stand(policy: Policy) -> tuple[float, float]:
@@ -97,12 +104,11 @@ def _draw_approach(axes: Axes, case: Case, policy: Approach, sensor: int | None,
     draw_hand(axes, case.hand, policy.opening)
 
 
-def _draw_end(axes: Axes, case: Case, policy: Policy, extent: Extent) -> None:
+def _draw_end(axes: Axes, case: Case, policy: Policy, plan: Plan, extent: Extent) -> None:
     x, y = _stand(policy)
     thick = LEAST * max(extent.size)
     if isinstance(policy, Close):
-        opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": policy.opening})})
-        draw_area(axes, exact_region(opened, Closure.FRICTIONAL).centre, REGION)
+        draw_area(axes, _region(case, policy, plan), REGION)
         draw_hand(axes, case.hand, policy.opening)
     else:
         draw_hand(axes, case.hand, case.hand.open)
