@@ -17,9 +17,10 @@ from palmar.mechanics.pushing.polygon_contacts import Body
 
 PASSES = 120
 CLOSEST = 1e-10
-"""Bracket (rad) at which the search ends: where a contact is left the motion stops and its load jumps to the opposite."""
+"""Bracket (rad) at which the search ends: where a contact is left the motion stops and its load jumps to the opposite. The
+cut is PAST that, so that it is sure to be left."""
 PAST = 1e-8
-"""Every such cut takes the object at least so far (rad), so that no two modes can hold it up."""
+"""Every cut takes the object at least so far (rad), so that no two modes can hold it up."""
 
 
 @compiled
@@ -50,8 +51,10 @@ def first_kink(hand: HandMotion, body: Body, at: Bench, count: int, skin: float,
         at_a = max(_margin(hand, body, at, count, skin, h, 0.0), 0.0)
     x1, f1, x2, f2 = (a, at_a - level, b, at_b - level) if at_a > -at_b else (b, at_b - level, a, at_a - level)
     for k in range(PASSES):
-        if at_b >= 2.0 * level or b - a <= CLOSEST / h:
+        if at_b >= 2.0 * level:
             break
+        if b - a <= CLOSEST / h:
+            return min(b + PAST / h, 1.0)
         part = next_point(a, b, x1, f1, x2, f2, k)
         here = _margin(hand, body, at, count, skin, h, part)
         if here >= -OVER:

@@ -148,8 +148,8 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
             return True, branches
         speed = write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
         guess = s[VX], s[VY], s[OMEGA]
-        kept = s[KEPT] > 0.0 and kept_twist(body, at, count, speed, guess)
-        number = 1 if kept else full_twist(body, at, count, speed, guess)
+        known = s[KEPT] > 0.0 and kept_twist(body, at, count, speed, guess)
+        number = 1 if known else full_twist(body, at, count, speed, guess)
         if number <= 0:
             s[FLAGS] = int(s[FLAGS]) | (UNSOLVED if number < 0 else 0)
             stall(hand, body, at, count, scale.skin)
@@ -172,8 +172,7 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
             least, count = settle_and_look(hand, body, at, count, scale, part < 1.0)
         else:
             least, count = look(hand, body, at, scale, scale.touch)
-        if count != before:
-            s[KEPT] = 0.0
+        s[KEPT] *= 1.0 if count == before else 0.0
         h = proposal if s[KEPT] > 0.0 else AFRESH * max(min(proposal, h), FIRST_STRIDE)
         if least <= -body.width:  # a link is inside: never go on from there
             s[FLAGS] = int(s[FLAGS]) | UNSOLVED

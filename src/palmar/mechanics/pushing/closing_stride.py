@@ -150,7 +150,7 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
                     )
                 fit_course(at, SHORTEST_STRIDE)
                 return SHORTEST_STRIDE, SHORTEST_STRIDE, 7
-            h = max(h * (0.2 if over == 7 else max(BEYOND * _end_of_mode(at, over), 0.1)), SHORTEST_STRIDE)
+            h = max(h * (0.2 if over == 7 else min(max(BEYOND * _end_of_mode(at, over), 0.1), 0.5)), SHORTEST_STRIDE)
             continue
         error = error_of(at, count, body.reach, scale, base, h)
         factor = MOST_GROWTH if error <= 4e-3 * scale.error else 0.85 * (scale.error / error) ** 0.2

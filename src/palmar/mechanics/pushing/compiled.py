@@ -44,7 +44,9 @@ def _kernel(function: Callable[Arguments, Result], **options: bool) -> Callable[
     njit: Any = numba.njit
     return cast(
         Callable[Arguments, Result],
-        njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, fastmath=CONTRACT, **options)(function),
+        njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, fastmath=CONTRACT, **options)(
+            function
+        ),
     )
 
 
