@@ -25,8 +25,8 @@ from palmar.mechanics.pushing.metric import Metric, Triple, squared
 Floats = NDArray[np.float64]
 JAMMED, NOT_CONVERGED = 0, -1
 NEWTON_PASSES, SECANT_PASSES = 20, 400
-NEWTON_CHANGE, SECANT_CHANGE = 1e-6, 1e-11
-"""Relative change of the motion at which a pass is the last; Newton's is of quadratic convergence."""
+NEWTON_CHANGE, SECANT_CHANGE = 1e-8, 1e-11
+"""Relative change of the motion at which a pass is the last."""
 STARTS = 5
 
 
