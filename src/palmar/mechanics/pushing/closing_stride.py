@@ -157,7 +157,7 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
         if error <= scale.error or h <= SHORTEST_STRIDE:
             fit_course(at, h)
             if count > 1:
-                factor = min(factor, max(_share_of_pinch(at), 0.2))
+                factor = min(factor, max(_share_of_pinch(at, body.reach), 0.2))
             return h, min(max(h * factor, SHORTEST_STRIDE), LONGEST_STRIDE), over
         if over < 7:
             factor = min(factor, BEYOND * _end_of_mode(at, over))
@@ -167,10 +167,12 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
 
 
 @inlined
-def _share_of_pinch(at: Bench) -> float:
-    """Half the time left, in strides, if the turn grows as in a pinch, with the root of the time to its end; else much."""
-    growth = at.stages[6, 2] * at.stages[6, 2] - at.stages[0, 2] * at.stages[0, 2]
-    return 0.5 * at.stages[0, 2] * at.stages[0, 2] / growth if growth > 0.0 else MOST_GROWTH
+def _share_of_pinch(at: Bench, reach: float) -> float:
+    """Half the time left, in strides, if the speed grows as in a pinch, with the root of the time to its end; else much."""
+    first, last = at.stages[0], at.stages[6]
+    before = first[0] * first[0] + first[1] * first[1] + reach * reach * first[2] * first[2]
+    growth = last[0] * last[0] + last[1] * last[1] + reach * reach * last[2] * last[2] - before
+    return 0.5 * before / growth if growth > 0.0 else MOST_GROWTH
 
 
 @inlined
