@@ -1,6 +1,6 @@
 """Plans put to the test: every leaf from many starts, for hands, layouts and uncertainties three times the closing region.
 
-    python3 dev.py validate plans [STARTS_PER_LEAF] [SEED]
+    python3 dev.py validate plans [STARTS_PER_LEAF] [SEED]      (at least 100 000 a plan)
 
 Touches by sphere tracing, grasps by the stepping kernel: no geometry shared with the planner. Corners and edge of the
 uncertainty are among the starts; pose errors and displacements are as long as allowed in half of the draws. The fewest
@@ -98,7 +98,7 @@ def main(per_leaf: int = 100_000, seed: int = 20261126) -> None:
                 row = [hand_name, name, shape, "yes" if sure else "no", str(approaches(found.policy)) if sure else "-",
                        fewest(planner, belief, 3), str(len(ends))]  # fmt: skip
                 if sure:
-                    starts = drawn_starts(belief, per_leaf * len(ends), seed)
+                    starts = drawn_starts(belief, max(100_000, per_leaf * len(ends)), seed)
                     errors = Errors(case.sensors.displacement, case.sensors.pose_error)
                     trial = try_plan(case, found.policy, stretches, starts, errors, seed)
                     total, lost = total + trial.starts, lost + trial.starts - trial.caught
