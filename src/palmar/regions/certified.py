@@ -1,4 +1,4 @@
-"""The pre-image of any closing motion for a disk without friction, certified: no start in the band is left unsaid.
+"""The pre-image of any closing motion for a disk without friction, certified: nothing is unproven between the starts.
 
 Cells of a quadtree, each with one start that is followed and a ball about it that covers the cell: all starts in the
 cell are caught, or none is, or it is halved. What is caught for certain is the inner side, that and the cells left open
@@ -7,6 +7,7 @@ the outer side. Mechanics and proof: ``certified_start``, docs/derivations/certi
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,10 +16,13 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon
 from shapely.geometry.base import BaseGeometry
 
-from palmar.geometry.planar_set import areal, with_mirror_image
+from palmar.geometry.planar_set import EMPTY, areal, grown, with_mirror_image
 from palmar.mechanics.pushing.certified_start import CAUGHT, LOST, certify_all
 from palmar.mechanics.pushing.enclosure import closed_from
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOVING, HandMotion, place_links
+from palmar.models.closure import Closure
+from palmar.models.guarantee import Guarantee
+from palmar.regions.region import Model, Region
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -41,6 +45,10 @@ class CertifiedSets:
     outer: MultiPolygon
     spacing: float
     starts: int
+
+    def __iter__(self) -> Iterator[MultiPolygon]:
+        """Inner and outer side, to be unpacked."""
+        return iter((self.inner, self.outer))
 
     @property
     def share(self) -> float:
@@ -73,8 +81,6 @@ def certified_sets(
         caught.append(np.column_stack([cells[codes == CAUGHT], np.full((codes == CAUGHT).sum(), width)]))
         area += width * width * float((codes == CAUGHT).sum())
         cells = cells[(codes != CAUGHT) & (codes != LOST)]
-        import os
-        if os.environ.get('TALK'): print('   level', width, 'asked', int(told.sum()), 'caught', int((codes==1).sum()), 'lost', int((codes==2).sum()), 'open', len(cells), 'untold', int((~told).sum()), 'band', len(cells)*width*width/max(area,1e-9), flush=True)
         fine = width <= tolerance if tolerance else len(cells) * width * width <= share * area
         if fine or len(cells) == 0 or starts + 4 * len(cells) > MOST_STARTS:
             break
@@ -82,6 +88,27 @@ def certified_sets(
         cells = np.concatenate([cells + width * np.array([i, j]) for i in (0, 1) for j in (0, 1)])
     held = np.concatenate(caught)
     return _sides(motion, rows, radius, held, np.column_stack([cells, np.full(len(cells), width)]), width, starts)
+
+
+def certified_region(
+    motion: HandMotion, radius: float, tolerance: float | None = None, share: float = SHARE, threads: int = 2
+) -> Region:
+    """``certified_sets`` as a region: the centre region is the inner side."""
+    sets = certified_sets(motion, radius, tolerance, share, threads)
+    whole, flattening = (EMPTY, 0.0) if sets.inner.is_empty else grown(sets.inner, radius, 1e-3 * radius)
+    return Region(
+        model=Model.EXACT,
+        closure=Closure.STRUCTURAL,
+        guarantee=Guarantee.CERTIFIED,
+        centre=sets.inner,
+        contact=EMPTY,
+        whole=whole,
+        flattening=flattening,
+        reason="no start is certified to be caught" if sets.inner.is_empty else None,
+        notes=(f"{sets.starts} starts followed, cells of {1e3 * sets.spacing:.2g} mm at the boundary",),
+        outer=sets.outer,
+        spacing=sets.spacing,
+    )
 
 
 def _first_cells(motion: HandMotion, radius: float) -> tuple[Floats, float]:
@@ -125,9 +152,7 @@ def _clearance(places: Floats, row: Floats, radius: float) -> tuple[Floats, Floa
 def _blocked(rows: Floats, radius: float, inside: bool) -> BaseGeometry:
     """Centres of disks that overlap the hand, flattened to the inside or to the outside."""
     more = 1.0 if inside else 1.0 / np.cos(np.pi / (4.0 * ARC))
-    links = [
-        shapely.LineString([row[:2], row[2:4]]).buffer((radius + row[7]) * more, quad_segs=ARC) for row in rows
-    ]
+    links = [shapely.LineString([row[:2], row[2:4]]).buffer((radius + row[7]) * more, quad_segs=ARC) for row in rows]
     return shapely.union_all(links)
 
 

@@ -20,19 +20,31 @@ from palmar.mechanics.pushing.closing_end import in_pocket, opening
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.enclosure import Closed
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, place_links
-from palmar.mechanics.pushing.link_view import BEFORE, BEHIND, GAP, NX, NY, slip, view_all
+from palmar.mechanics.pushing.link_view import BEFORE, BEHIND, GAP, LEVEL, NX, NY, slip, view_all
 from palmar.mechanics.pushing.spread_bound import (
-    REACH_WIDTH, STRAY, WIDEST, growth_of_others, own_weight, reach_link, soft,
+    REACH_WIDTH,
+    STRAY,
+    growth_of_others,
+    own_weight,
+    soft,
 )  # fmt: skip
 from palmar.mechanics.pushing.sweeping_step import (
-    AT_BEGIN, AT_END, AT_MIDDLE, MOST, Path, Room, loads_of, room, shortest, step,
+    AT_BEGIN,
+    AT_END,
+    AT_MIDDLE,
+    MOST,
+    Path,
+    Room,
+    room,
+    shortest,
+    step,
 )  # fmt: skip
 
 Floats = NDArray[np.float64]
 OPEN, CAUGHT, LOST, OVERLAPS = range(4)
 TOUCH, SLACK = 1e-11, 1e-9
 """Gap that touches, and speed within which a contact keeps up, in finger lengths."""
-LONGEST, SHORTEST, MOST_STEPS, MOST_TRIES = 0.1, 1e-12, 20_000, 60
+LONGEST, SHORTEST, MOST_STEPS, MOST_TRIES = 0.1, 1e-12, 6_000, 60
 FINE, ROUGH = 0.5, 0.01
 """A step adds to the ball at most half of it, or this part of the distance that a link keeps, while contacts count."""
 OPPOSING = -0.5
@@ -69,30 +81,33 @@ def _stride(links: Floats, pairs: int, views: Floats, at: Ball, vx: float, vy: f
     h, count = LONGEST, 2 * pairs + 1
     for k in range(count):
         seen, row = views[k], links[k]
-        h = min(h, 0.3 / max(abs(row[4]), 0.1))
-        pace, least = slip(row, at.x, at.y, vx, vy), FINE * at.size
+        turn, pace = max(abs(row[4]), 0.1), slip(row, at.x, at.y, vx, vy)
+        h = min(h, 0.3 / turn)
+        least, most = FINE * at.size, 0.3 * radius
         if seen[GAP] > at.size:
             allowed = max(0.9 * (seen[GAP] - at.size), least)
-        elif _opposed(views, count, k, at.size):
-            allowed = least
-        elif soft(links, pairs, k, at.x, at.y, radius, seen, at.size, 0.0):
-            allowed = max(least, ROUGH * (radius + row[7]))
         else:
-            allowed = max(max(least, ROUGH * radius), min(min(seen[BEFORE], seen[BEHIND]) - at.size, 0.3 * radius))
+            against = _most_opposed(views, count, k, at.size)
+            if soft(links, pairs, k, at.x, at.y, radius, seen, at.size, 0.0):
+                allowed = least if against < OPPOSING else max(least, ROUGH * (radius + row[7]))
+            else:
+                allowed = max(max(least, ROUGH * radius), min(min(seen[BEFORE], seen[BEHIND]) - at.size, most))
+                if against < OPPOSING:
+                    h = min(h, max(0.1 * sqrt(2.0 * max(1.0 + against, 0.0)) / turn, SHORTEST))
         if pace * h > allowed:
             h = allowed / pace
     return h
 
 
 @inlined
-def _opposed(views: Floats, count: int, link: int, size: float) -> bool:
-    """Whether a disk of the ball may soon be between this link and another one."""
-    one, found = views[link], False
+def _most_opposed(views: Floats, count: int, link: int, size: float) -> float:
+    """Least cosine of the angle between this link's normal and that of another which the ball may soon meet; else 1."""
+    one, least = views[link], 1.0
     for k in range(count):
         other = views[k]
-        against = one[NX] * other[NX] + one[NY] * other[NY]
-        found = found or (k != link and other[GAP] <= 3.0 * size and against < OPPOSING)
-    return found
+        if k != link and other[GAP] <= 3.0 * size:
+            least = min(least, one[NX] * other[NX] + one[NY] * other[NY])
+    return least
 
 
 @inlined
@@ -142,10 +157,11 @@ def _grown(
 
 @compiled
 def _enclosed(links: Floats, pairs: int, views: Floats, at: Ball, radius: float, closed: bool) -> int:
-    """CAUGHT if every disk of the ball is in the pocket, LOST if none is, else OPEN.
+    """CAUGHT if every disk of the ball is in the pocket and it is ``closed``, LOST if none is in it, else OPEN.
 
     The way from the centre to another disk of the ball passes no link, for both keep their distance, and not between
-    the tips, from which the centre is farther than the ball is wide.
+    the tips, from which the centre is farther than the ball is wide. Closed counts only while the tips are what is
+    nearest in the two fingers: then the pocket of ``in_pocket`` is the one that the disk cannot leave.
     """
     ax, ay, bx, by = links[pairs, 2], links[pairs, 3], links[2 * pairs, 2], links[2 * pairs, 3]
     dx, dy = bx - ax, by - ay
@@ -161,7 +177,8 @@ def _enclosed(links: Floats, pairs: int, views: Floats, at: Ball, radius: float,
                 return OPEN
     if not in_pocket(links, pairs, at.x, at.y):
         return LOST
-    near = square < (2.0 * (radius + links[1, 7])) ** 2 or opening(links, pairs) == 0.0
+    apart = sqrt(square)
+    near = apart < 2.0 * (radius + links[1, 7]) and opening(links, pairs) >= apart - 2.0 * links[1, 7] - LEVEL
     return CAUGHT if closed and near else OPEN
 
 
@@ -226,7 +243,7 @@ def _first_cut(before: Floats, after: Floats, count: int, i: int, j: int, touch:
     """Fraction of the step, by false position, at which the first further link touches; 1 if none does."""
     part = 1.0
     for k in range(count):
-        if k == i or k == j or after[k, GAP] >= -touch:
+        if k in (i, j) or after[k, GAP] >= -touch:
             continue
         gap = max(before[k, GAP], touch)
         part = min(part, (gap + 0.5 * touch) / (gap - after[k, GAP]))
@@ -234,9 +251,7 @@ def _first_cut(before: Floats, after: Floats, count: int, i: int, j: int, touch:
 
 
 @compiled_to_allocate
-def certify_rows(
-    hand: HandMotion, radius: float, closed: Closed, starts: Floats, codes: NDArray[np.int8]
-) -> None:
+def certify_rows(hand: HandMotion, radius: float, closed: Closed, starts: Floats, codes: NDArray[np.int8]) -> None:
     """``certify`` for each row (x, y, size of the ball) of ``starts``."""
     room_, reached = room(), np.zeros((MOST, REACH_WIDTH))
     for k in range(len(starts)):
@@ -244,9 +259,7 @@ def certify_rows(
         codes[k] = certify(hand, radius, closed, ball, room_, reached)
 
 
-def certify_all(
-    hand: HandMotion, radius: float, closed: Closed, starts: Floats, threads: int = 2
-) -> NDArray[np.int8]:
+def certify_all(hand: HandMotion, radius: float, closed: Closed, starts: Floats, threads: int = 2) -> NDArray[np.int8]:
     """Batch: ``starts`` (N, 3), x, y and size of each ball (m), all valid starts in which it speaks for -> codes (N,)."""
     rows, codes = np.ascontiguousarray(starts, dtype=float), np.zeros(len(starts), np.int8)
 

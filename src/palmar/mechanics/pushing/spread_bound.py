@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing.compiled import compiled, inlined
-from palmar.mechanics.pushing.link_view import BEFORE, BEHIND, GAP, NX, NY, SPEED, UX, UY, bend, guarded, neighbour
+from palmar.mechanics.pushing.link_view import BEFORE, BEHIND, GAP, NX, NY, UX, UY, bend, guarded, neighbour
 
 Floats = NDArray[np.float64]
 CONE, MOST_SPEED, WEIGHT, ANGLE, STRAY, ONLY_END = range(6)

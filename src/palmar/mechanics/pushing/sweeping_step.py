@@ -198,7 +198,7 @@ def _audited(
         first, second, rest = max(first, one), max(second, two), max(rest, off)
         low_first, low_second = min(low_first, one), min(low_second, two)
         for k in range(count):
-            if k == i or k == j:
+            if k in (i, j):
                 drift = max(drift, max(abs(quarter[k, GAP]), abs(mid[k, GAP])))
             else:
                 least = min(least, min(quarter[k, GAP], min(mid[k, GAP], at.views[AT_END, k, GAP])))
