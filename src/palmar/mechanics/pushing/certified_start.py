@@ -10,7 +10,7 @@ stall a finger on the way. Everything else is left open. Proof: docs/derivations
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from math import exp, inf, sqrt
+from math import acos, exp, inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -25,6 +25,7 @@ from palmar.mechanics.pushing.spread_bound import (
     REACH_WIDTH,
     STRAY,
     growth_of_others,
+    in_corner,
     own_weight,
     soft,
 )  # fmt: skip
@@ -111,6 +112,32 @@ def _most_opposed(views: Floats, count: int, link: int, size: float) -> float:
 
 
 @inlined
+def _own_rate(
+    links: Floats, pairs: int, x: float, y: float, radius: float, views: Floats, reached: Floats, path: Path,
+    i: int, j: int, ball: float, half: float,
+) -> float:  # fmt: skip
+    """What the contacts of the disk that is followed add to the relative growth (1/rad)."""
+    one, other, play = 0.0, 0.0, 0.0
+    for k in (i, j):
+        if k < 0:
+            continue
+        wide, rho, weight = ball + reached[k, STRAY], radius + links[k, 7], 0.0
+        if soft(links, pairs, k, x, y, radius, views[k], wide, half):
+            weight = own_weight(views[k], rho, ball, reached[k, STRAY])
+        if k == i:
+            one = weight
+        else:
+            other = weight
+        play += 1.1 * reached[k, STRAY] / rho + abs(links[k, 4]) * half
+    if j >= 0:
+        between = views[i, NX] * views[j, NX] + views[i, NY] * views[j, NY]
+        apart = acos(min(max(between, -1.0), 1.0))
+        if in_corner(apart - play, apart + play, ball, radius):
+            return max(max(one * (path.first - path.low_second), other * (path.second - path.low_first)), 0.0)
+    return one * path.first + other * path.second
+
+
+@inlined
 def _grown(
     pairs: int, radius: float, bent: float, room_: Room, reached: Floats, path: Path, i: int, j: int,
     at: Ball, vx: float, vy: float, h: float,
@@ -140,13 +167,7 @@ def _grown(
         others = growth_of_others(links, pairs, mx, my, radius, views, ball, half, bent, reached)
         if others.rate == inf:
             return inf
-        rate = others.rate
-        for m in range(2):
-            k, load = (i, path.first) if m == 0 else (j, path.second)
-            if k >= 0:
-                wide, rho = ball + reached[k, STRAY], radius + links[k, 7]
-                if soft(links, pairs, k, mx, my, radius, views[k], wide, half):
-                    rate += load * own_weight(views[k], rho, ball, reached[k, STRAY])
+        rate = others.rate + _own_rate(links, pairs, mx, my, radius, views, reached, path, i, j, ball, half)
         off = path.rest + deep * (path.first + path.second + others.loads) / at.size
         size = (at.size + off * h) * exp(rate * h)
         if size <= ball:

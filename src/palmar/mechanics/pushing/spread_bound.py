@@ -9,7 +9,7 @@ can have is among the links within ``ball`` of touching.
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, cos, inf, pi, sqrt
+from math import acos, asin, atan2, cos, inf, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -19,11 +19,11 @@ from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.link_view import BEFORE, BEHIND, GAP, NX, NY, UX, UY, bend, guarded, neighbour
 
 Floats = NDArray[np.float64]
-CONE, MOST_SPEED, WEIGHT, ANGLE, STRAY, ONLY_END = range(6)
-REACH_WIDTH = 6
+CONE, MOST_SPEED, WEIGHT, ANGLE, STRAY, ONLY_END, LEAST_SPEED = range(7)
+REACH_WIDTH = 7
 """Columns for a link: half angle (rad) of the normals that disks in the ball can meet, bound of the speed along them
 (m/rad), allowance over d^2 (1/m), direction of the middle normal (rad), by how much (m) the step adds to the ball, and the
-end (0, 1) at which all contacts are, or -1."""
+end (0, 1) at which all contacts are, or -1; least speed along the normals."""
 OPPOSED, NARROWEST = 1e-4, 1e-3
 """Two contacts that come so near (rad) to opposing each other, or three to spanning the plane, are given up."""
 WIDEST = 0.9
@@ -87,6 +87,8 @@ def reach_link(
     away = acos(min(max((ux * nx + uy * ny) / speed, -1.0), 1.0)) if speed > 0.0 else 0.0
     along = speed * cos(max(away - reached[CONE], 0.0))
     reached[MOST_SPEED] = max(along + abs(row[4]) * wide + bent * half_step, 0.0)
+    along = speed * cos(min(away + reached[CONE], pi))
+    reached[LEAST_SPEED] = along - abs(row[4]) * wide - bent * half_step
     reached[ANGLE] = atan2(ny, nx)
 
 
@@ -170,6 +172,19 @@ def _spans(reached: Floats, i: int, j: int, k: int) -> bool:
     return high - low >= pi - NARROWEST
 
 
+@inlined
+def in_corner(least: float, most: float, ball: float, radius: float) -> bool:
+    """Whether two contacts hold one another's growth back, their normals between ``least`` and ``most`` (rad) apart.
+
+    A disk that touches both is in a corner of what is allowed, and no other disk in the ball is so low as both allowances
+    admit: if it has the one, it has less than none at the other, and only the difference of the loads makes them part.
+    """
+    part = 0.5 * ball / radius
+    if least < 0.5 * pi or most >= pi or part >= 0.5:
+        return False
+    return sin(most) * sqrt(1.0 - part * part) > part * (1.0 - cos(most))
+
+
 @compiled
 def growth_of_others(
     links: Floats, pairs: int, x: float, y: float, radius: float, views: Floats, ball: float,
@@ -208,5 +223,11 @@ def growth_of_others(
             scale = 1.0 / (1.0 - against * against)
             a = (one[MOST_SPEED] + against * other[MOST_SPEED]) * scale
             b = (other[MOST_SPEED] + against * one[MOST_SPEED]) * scale
-            rate, loads = max(rate, one[WEIGHT] * a + other[WEIGHT] * b), max(loads, a + b)
+            loads = max(loads, a + b)
+            least = abs(turned(one[ANGLE] - other[ANGLE])) - one[CONE] - other[CONE]
+            if in_corner(least, apart, ball, radius):
+                rate = max(rate, one[WEIGHT] * (one[MOST_SPEED] - other[LEAST_SPEED]))
+                rate = max(rate, other[WEIGHT] * (other[MOST_SPEED] - one[LEAST_SPEED]))
+            else:
+                rate = max(rate, one[WEIGHT] * a + other[WEIGHT] * b)
     return Growth(rate, loads)

@@ -28,7 +28,8 @@ class Path(NamedTuple):
     """A step's cubic: both ends and their velocities; the loads' greatest values; what ``audit`` finds.
 
     ``rest`` (m/rad) is what the velocity is off a sum of positive loads times normals; ``drift`` (m) how far loaded
-    contacts are from touching; ``first``, ``second`` the greatest load of either; ``least`` (m) the least gap of the rest.
+    contacts are from touching; ``first``, ``second`` the greatest load of either, ``low_first``, ``low_second`` the
+    least; ``least`` (m) the least gap of the rest.
     """
 
     x: float
@@ -39,6 +40,8 @@ class Path(NamedTuple):
     drift: float
     first: float
     second: float
+    low_first: float
+    low_second: float
     least: float
 
 
@@ -203,5 +206,8 @@ def _audited(
             else:
                 least = min(least, min(quarter[k, GAP], min(mid[k, GAP], at.views[AT_END, k, GAP])))
     rest = 2.0 * rest - min(low_first, 0.0) - min(low_second, 0.0)
-    first, second = first + 0.5 * (first - low_first), second + 0.5 * (second - low_second)
-    return Path(ex, ey, wx, wy, rest, 2.0 * drift, max(first, 0.0), max(second, 0.0), least)
+    spread, other = 0.5 * (first - low_first), 0.5 * (second - low_second)
+    return Path(
+        ex, ey, wx, wy, rest, 2.0 * drift, max(first + spread, 0.0), max(second + other, 0.0),
+        max(low_first - spread, 0.0), max(low_second - other, 0.0), least,
+    )  # fmt: skip
