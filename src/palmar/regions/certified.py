@@ -30,6 +30,8 @@ SHARE = 0.01
 """Default area of the band, over that of the inner side."""
 COARSE, MOST_LEVELS, MOST_STARTS = 8, 14, 60_000
 """Cells across the search box in the first pass; how often they may be halved; starts that may be followed."""
+SLIVER = 1.0 / 64.0
+"""In disk radii: cells so fine are not halved if none has been caught so far."""
 ASIDE = 1e-9
 """A start that is moved to where it is valid keeps so far clear, in finger lengths."""
 PUSHES = 6
@@ -63,7 +65,8 @@ def certified_sets(
     """Inner and outer side of the centres from which ``motion`` catches a disk of ``radius`` (m) without friction.
 
     Cells are halved until the band between both sides measures at most ``share`` of the inner area or, if a
-    ``tolerance`` (m) is given, until no open cell is wider; in any case not beyond ``MOST_STARTS``.
+    ``tolerance`` (m) is given, until no open cell is wider; in any case not beyond ``MOST_STARTS``, nor beyond cells of
+    ``SLIVER`` where nothing is caught.
     """
     rows = np.zeros((2 * len(motion.links) + 1, LINK_WIDTH))
     place_links(motion, motion.first, MOVING, MOVING, rows)
@@ -82,6 +85,7 @@ def certified_sets(
         area += width * width * float((codes == CAUGHT).sum())
         cells = cells[(codes != CAUGHT) & (codes != LOST)]
         fine = width <= tolerance if tolerance else len(cells) * width * width <= share * area
+        fine = fine or (area == 0.0 and width <= SLIVER * radius)
         if fine or len(cells) == 0 or starts + 4 * len(cells) > MOST_STARTS:
             break
         width *= 0.5
