@@ -14,7 +14,8 @@ from palmar.mechanics.pushing.enclosure import closed_from
 from palmar.mechanics.pushing.hand_pose import hand_motion
 from palmar.mechanics.pushing.limit_surface import disk_surface
 from palmar.mechanics.pushing.polygon_contacts import disk_body
-from palmar.regions.certified import certified_sets
+from palmar.models.guarantee import Guarantee
+from palmar.regions.certified import certified_region, certified_sets
 from palmar.regions.closing_exact import exact_sets
 from reference.slow_closing import close_hand
 from reference.slow_model import Hand, Object
@@ -97,6 +98,21 @@ def test_what_overlaps_the_open_hand_is_no_start():
     assert certify_all(motion, radius, closed_from(motion, radius), np.array([[0.0, 0.1, 0.01]])).tolist() == [OVERLAPS]
     sets = certified_sets(motion, radius, share=0.2)
     assert sets.inner.bounds[1] >= radius - 1e-12
+
+
+def test_a_region_says_how_far_it_is_to_be_trusted():
+    motion, radius = THICK
+    region = certified_region(motion, radius, tolerance=0.01)
+    assert region.guarantee is Guarantee.CERTIFIED and region.reason is None
+    assert region.spacing <= 0.01
+    assert 0.0 < region.band < 0.2 * region.area < region.whole.area
+
+
+def test_nothing_is_caught_that_does_not_fit():
+    motion, _ = BENT
+    region = certified_region(motion, 1.5)
+    assert region.area == 0.0 and region.reason is not None
+    assert region.outer.area < 0.01
 
 
 def test_rows_do_not_depend_on_threads():
