@@ -78,6 +78,7 @@ def test_the_hardest_branch_is_drawn(capsys, tmp_path: Path, ending: str) -> Non
         (["touch", "testbed_table", "--opening", "190"], "must be from 0 to below 180"),
         (["touch", "testbed_table", "--travel", "0"], "above 0 mm"),
         (["touch", "nowhere"], "nowhere"),
+        (["touch", "testbed_table", "--out", "x.dxf"], "svg, pdf or png"),
     ],
 )
 def test_bad_input_is_one_line(capsys, words: list[str], said: str) -> None:
@@ -86,7 +87,7 @@ def test_bad_input_is_one_line(capsys, words: list[str], said: str) -> None:
     assert err.count("\n") == 1 and said in err
 
 
-def test_what_touch_buys(capsys) -> None:
+def test_what_touch_buys(capsys, tmp_path: Path) -> None:
     record = json.loads(called(capsys, "touch", "testbed_table", "--sensors", "tips", "--json")[1])
     assert record["felt_m"] < record["touched_m"] == pytest.approx(0.684)
     assert record["connected_ratio"] == pytest.approx(0.5)
@@ -96,5 +97,7 @@ def test_what_touch_buys(capsys) -> None:
     assert full["certain_m"] == full["touched_m"]
     assert full["sensory_area_m2"] > 1.9 * full["closing_area_m2"]
     assert called(capsys, "touch", "testbed_table", "--check")[0] == 1
-    text = called(capsys, "touch", "testbed_table", "--sensors", "tips")[1]
+    file = tmp_path / "touch.svg"
+    text = called(capsys, "touch", "testbed_table", "--sensors", "tips", "--out", str(file))[1]
+    assert file.read_text().count("What touch buys") == 1
     assert "Fewest sensors with which one approach suffices: 5:" in text
