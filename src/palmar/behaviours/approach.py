@@ -75,14 +75,14 @@ def sweep(
             return None
         felt.setdefault(piece.owner, []).extend(grow(_cut(piece, *span), growth + piece.blur) for span in spans)
     found = [Felt(owner, shapely.union_all(parts)) for owner, parts in felt.items() if parts]
-    missed = affinity.translate(shapely.difference(affinity.translate(belief, -x), _swept(profile, low, begin + way, doubt)),
+    missed = affinity.translate(shapely.difference(affinity.translate(belief, -x), swept(profile, low, begin + way, doubt)),
                                 0.0, -begin - way)  # fmt: skip
     if missed.area > 0.0:
         found.append(Felt(None, missed))
     return Sweep(x, begin, way, tuple(found))
 
 
-def _swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeometry:
+def swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeometry:
     """Places above ``low`` that are touched for certain by the time the hand is at ``height`` (m)."""
     under = [
         Polygon(
