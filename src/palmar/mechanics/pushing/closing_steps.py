@@ -223,7 +223,7 @@ def carry_on(
     A disk to the left takes the way of its mirror image, so that mirror symmetry is exact.
     """
     round_surface = body.surface.kind == UNIFORM_DISK or body.surface.kind == ELLIPSOID
-    if not (len(body.vertices) == 1 and round_surface and x < 0.0 and hand.vx == 0.0):
+    if not (len(body.vertices) == 1 and round_surface and x < 0.0 and hand.vx == 0.0 and hand.mirrored):
         return _carry(hand, body, at, x, y, theta, tolerance, most_steps)
     end = _carry(hand, body, at, -x, y, -theta, tolerance, most_steps)
     mirror_log(hand, at)
