@@ -81,5 +81,6 @@ class Advance:
 
     @property
     def velocity(self) -> tuple[float, float]:
-        """(m/s)."""
-        return self.speed * cos(self.direction), self.speed * sin(self.direction)
+        """(m/s); straight along an axis without a rest of rounding along the other."""
+        x, y = (each if abs(each) > 1e-15 else 0.0 for each in (cos(self.direction), sin(self.direction)))
+        return self.speed * x, self.speed * y

@@ -11,7 +11,7 @@ from palmar.models.motion import Joints, Observation
 from palmar.models.outcome import Outcome
 from palmar.worlds.world import World
 
-LONGEST = 120.0
+LONGEST = 600.0
 """A behaviour that has not ended after so long (s) is cut off."""
 
 

@@ -76,6 +76,8 @@ class FeedbackWorld:
     @property
     def pose(self) -> tuple[float, float, float]:
         """Of the object's frame: x, y (m), theta (rad) in the frame where the hand started."""
+        if self.centre == (0.0, 0.0):
+            return self.carriage.place
         x, y, theta = moved_poses(self.centre, np.array([self.carriage.place]), -1.0)[0]
         return float(x), float(y), float(theta)
 
