@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import math
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -137,9 +138,7 @@ def _tell(name: str, done: BehaviourRun, out: Path | None, json: bool) -> None:
         f"{done.case.behaviour.name.value}: {trace.outcome.value}; the object ends at {place}.\n"
         f"The hand's own verdict: {done.verdict.value}. {_ENDED[trace.ended.value]}."
     )
-    rows = [
-        (f"{each.time:8.3f} s", each.kind.replace("_", " "), each.what.replace("_", " ")) for each in trace.happenings
-    ]
+    rows = [(f"{each.time:8.3f} s", each.kind.replace("_", " "), _short(each.what)) for each in trace.happenings]
     written = [f"Written: {out}"] if out is not None else []
     show(titled(name, done.case, ended, table(rows), *written), run_record(done), json)
 
@@ -149,6 +148,11 @@ _ENDED = {
     "cut_off": "The behaviour did not end and was cut off",
     "broken": "The world could not go on",
 }
+
+
+def _short(text: str) -> str:
+    """Words without underscores, and numbers with one decimal."""
+    return re.sub(r"\d+\.\d{2,}", lambda found: f"{float(found[0]):.1f}", text.replace("_", " "))
 
 
 def _named(text: str, option: str) -> BehaviourName:

@@ -82,6 +82,13 @@ class Carriage:
         self._slide(velocity, free_way(motion, self.body, self.at, self.scale, speed * span) / speed)
         self.at.state[VX : OMEGA + 1] = 0.0
 
+    def take_along(self, velocity: Vector, span: float) -> None:
+        """The arm moves for ``span`` (s), and the object, which the fingers hold, with it."""
+        x, y, theta = self.place
+        self.place = x + velocity[0] * span, y + velocity[1] * span, theta
+        self._slide(velocity, span)
+        self.at.state[VX : OMEGA + 1] = 0.0
+
     def touches(self, angles: Both) -> list[Touch]:
         """Where the object touches the hand now."""
         _, count = self._look(angles, NEAR)

@@ -2,7 +2,8 @@
 
 Within a tick joints turn at constant rates and the hand slides at a constant velocity; the tick is cut where a joint or
 a link reaches its end, fingers meet, or the object stops a finger. A finger that is held up stays so until it is told
-something else.
+something else. An object that the fingers press on and hold goes with the arm: their motors can squeeze harder than
+the table's friction pulls.
 
 Where Coulomb's law admits several motions the one nearest to the last is followed, and the way is marked ambiguous; the
 batch kernel follows them all and reports the worst.
@@ -33,6 +34,7 @@ from palmar.worlds.planar.table import refuse_uncovered
 TICK = 0.005
 NO_TIME = 1e-12
 SIDES = (0, 1)
+HOLDS = (Outcome.STRUCTURAL, Outcome.FRICTIONAL)
 
 
 @dataclass
@@ -126,7 +128,11 @@ class FeedbackWorld:
     def _go(self, command: Command, left: float) -> float:
         """Go on for at most ``left`` (s), until something reaches its end; returns the time this took."""
         rates = self._rates(0), self._rates(1)
-        if not any(rates[0]) and not any(rates[1]) and command.velocity == (0.0, 0.0):
+        rests = not any(rates[0]) and not any(rates[1])
+        if rests and command.velocity == (0.0, 0.0):
+            return left
+        if rests and any(self.gripped) and self.outcome() in HOLDS:
+            self.carriage.take_along(command.velocity, left)
             return left
         if self._slides_by(command):
             self.carriage.slide(self.angles, command.velocity, left)
