@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from math import pi
 from typing import Any
 
 import numpy as np
@@ -11,12 +12,16 @@ import pytest
 from palmar.behaviours.policy import approaches, is_guaranteed
 from palmar.behaviours.verdict import Verdict
 from palmar.errors import NotCoveredError
+from palmar.mechanics.pushing.closing_case import straight_motion
+from palmar.mechanics.pushing.resting import slider_of
+from palmar.mechanics.pushing.slider import slider_body
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case, Start
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.outcome import Outcome
 from palmar.models.sensors import SensorLayout, Sensors
+from palmar.regions.moving import ArmMotion, caught
 from palmar.studies.run_behaviour import Circumstances, behaviour_of, run_behaviour
 from palmar.worlds.planar.bits import Sensing
 from palmar.worlds.run import Ended
@@ -134,3 +139,18 @@ def test_plans_for_polygons_are_refused() -> None:
     case = case_of(BehaviourName.FOLLOW_POLICY).model_copy(update={"object": square})
     with pytest.raises(NotCoveredError, match="disks"):
         run_behaviour(case, (0.0, 0.5, 0.0))
+
+
+def test_moving_while_closing_ends_as_the_batch_with_a_sliding_hand() -> None:
+    """The batch carries the same motion with time as the closing angle; its arm stops with the fingers."""
+    rng, speed = np.random.default_rng(7), 0.06
+    case = case_of(
+        BehaviourName.MOVE_WHILE_CLOSING, first=0.03, speed=speed, advance=0.03 + speed * pi / BED.finger_rate
+    )
+    starts = np.column_stack([rng.uniform(-0.35, 0.35, 20), rng.uniform(0.08, 0.6, 20), np.zeros(20)])
+    body = slider_body(slider_of(case.object, case.support), case.contact.friction)
+    held = caught(straight_motion(BED), body, starts, ArmMotion(0.03, speed / BED.finger_rate))
+    assert 5 < held.sum() < 20
+    for start, expected in zip(starts, held, strict=True):
+        done = run_behaviour(case, tuple(start), COARSE)
+        assert done.trace.outcome.caught == expected

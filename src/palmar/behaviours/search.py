@@ -1,9 +1,9 @@
 """The plan with the fewest approaches: an AND-OR search over beliefs, deeper one approach at a time.
 
 A belief is done if it fits into the region at some place and opening. Else an approach cuts it, and every part must be
-done with one approach fewer. Offsets are tried on a grid across the belief, from the middle outwards; approaches in
-which a part of the hand without a sensor could touch are left out. So "none with fewer" is said of that grid, and only
-if the search came to its end within the number of approaches looked at that it is given.
+done with one approach fewer. Offsets are tried on a grid across the belief, from the middle outwards, and where it just
+passes a part without a sensor; approaches in which such a part could touch are left out. So "none with fewer" is said of
+that grid, and only if the search came to its end within the number of approaches looked at that it is given.
 """
 
 from __future__ import annotations
@@ -21,9 +21,11 @@ from palmar.behaviours.policy import Approach, Branch, Close, Lost, Policy
 from palmar.regions.profile import DEAD, Profile
 
 Floats = NDArray[np.float64]
-OFFSETS = 16
+OFFSETS = 32
 """Offsets tried to either side of the middle."""
-MOST_SWEEPS = 400
+BESIDE = 1e-6
+"""Gap between a belief and a part without a sensor that it just passes, as a share of its width."""
+MOST_SWEEPS = 600
 """Approaches that a search looks at before it gives up."""
 
 
@@ -80,16 +82,17 @@ class Planner:
         return None if best is None else Close(belief, best[0], best[1].angle)
 
     def moves(self, belief: BaseGeometry) -> list[tuple[Opening, float]]:
-        """Approaches to try: for each opening the offsets across the belief, from the middle outwards."""
+        """Approaches to try: for each opening offsets across the belief, from the middle outwards, and beside dead parts."""
         across = _across(belief, self.doubt.pose_error)
         left, right = float(across.min()), float(across.max())
         steps = np.concatenate(
             [[0.0], *((each, -each) for each in np.arange(1, self.offsets + 1) / (self.offsets + 1.0))]
         )
-        moves = []
+        moves, near = [], BESIDE * (right - left)
         for each in self.openings:
             reach = 0.5 * (right - left + each.profile.right - each.profile.left)
-            offsets = 0.5 * (left + right) + reach * steps
+            beside = np.concatenate([right - each.dead[:, 0] + near, left - each.dead[:, 1] - near])
+            offsets = np.concatenate([0.5 * (left + right) + reach * steps, beside])
             low = across[:, 0] - offsets[:, None, None]
             high = across[:, 1] - offsets[:, None, None]
             touched = (high > each.dead[:, :1]) & (low < each.dead[:, 1:])

@@ -69,10 +69,10 @@ def sampled_sets(
     starts = _Starts(motion, body, centre, different, certain)
     levels = max(0, ceil(log2(width / COARSE / spacing)))
     nodes = nodes_inside(starts.caught, Box(width, height, COARSE, different.mirrored), levels)
-    inner, outer = _all_corners(all_near(nodes.held)), _any_corner(any_near(nodes.held))
+    inner, outer = corners_inside(all_near(nodes.held)), corners_touching(any_near(nodes.held))
     origin, step, known = (-0.5 * width, 0.0), nodes.step, (len(different.thetas), different.mirrored)
     return SampledSets(
-        _cells(inner, origin, step), _cells(outer, origin, step), step, len(thetas), starts.carried, *known
+        cells(inner, origin, step), cells(outer, origin, step), step, len(thetas), starts.carried, *known
     )
 
 
@@ -130,15 +130,17 @@ class _Starts:
         return found
 
 
-def _all_corners(nodes: Bools) -> Bools:
+def corners_inside(nodes: Bools) -> Bools:
+    """Cells of which all corners are set."""
     return nodes[:-1, :-1] & nodes[1:, :-1] & nodes[:-1, 1:] & nodes[1:, 1:]
 
 
-def _any_corner(nodes: Bools) -> Bools:
+def corners_touching(nodes: Bools) -> Bools:
+    """Cells of which some corner is set."""
     return nodes[:-1, :-1] | nodes[1:, :-1] | nodes[:-1, 1:] | nodes[1:, 1:]
 
 
-def _cells(inside: Bools, origin: tuple[float, float], step: float) -> MultiPolygon:
+def cells(inside: Bools, origin: tuple[float, float], step: float) -> MultiPolygon:
     """The union of cells, row by row as runs."""
     edges = np.diff(inside.astype(np.int8), axis=1, prepend=0, append=0)
     row, begin = np.nonzero(edges == 1)

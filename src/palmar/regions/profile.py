@@ -80,24 +80,33 @@ def profile(hand: Hand, radius: float, stretches: tuple[Stretch, ...], opening: 
     return Profile(tuple(_envelope(_curves(hand, radius, stretches, opening), flattening)), flattening)
 
 
+def body_lines(hand: Hand, opening: float) -> dict[str, tuple[Floats, Floats]]:
+    """Begin (2,) and direction with length (2,) (m) of the palm, from its left end, and of every link, from its joint."""
+    d = hand.half_palm
+    lines = {"palm": (np.array([-d, 0.0]), np.array([2.0 * d, 0.0]))}
+    for side, name in ((1.0, "right"), (-1.0, "left")):
+        place = np.array([side * d, 0.0])
+        for k, length in enumerate(hand.finger_links):
+            along = np.array([side * length * cos(opening), length * sin(opening)])
+            lines[f"{name}_{k + 1}"] = place, along
+            place = place + along
+    return lines
+
+
 def _curves(hand: Hand, radius: float, stretches: tuple[Stretch, ...], opening: float) -> list[tuple[int, Floats]]:
     """The upper boundary of every grown stretch of the palm and the links."""
-    d, rho = hand.half_palm, radius + hand.half_thickness
-    curves = _of_body("palm", (-d, 0.0), (2.0 * d, 0.0), radius, stretches)
-    for side, name in ((1.0, "right"), (-1.0, "left")):
-        x, y = side * d, 0.0
-        for k, length in enumerate(hand.finger_links):
-            along = (side * length * cos(opening), length * sin(opening))
-            curves += _of_body(f"{name}_{k + 1}", (x, y), along, rho, stretches)
-            x, y = x + along[0], y + along[1]
+    curves = []
+    for body, (place, along) in body_lines(hand, opening).items():
+        rho = radius if body == "palm" else radius + hand.half_thickness
+        curves += _of_body(body, place, along, rho, stretches)
     return curves
 
 
 def _of_body(
-    body: str, at: tuple[float, float], along: tuple[float, float], rho: float, stretches: tuple[Stretch, ...]
+    body: str, place: Floats, along: Floats, rho: float, stretches: tuple[Stretch, ...]
 ) -> list[tuple[int, Floats]]:
     """Offset lines over the stretches of one straight body, dead ones between them, and the caps at its ends."""
-    length = hypot(*along)
+    length = float(np.hypot(*along))
     cuts = sorted(
         (max(each.begin, 0.0), min(each.end or length, length), k)
         for k, each in enumerate(stretches)
@@ -111,11 +120,11 @@ def _of_body(
         done = max(done, end)
     if done < length * (1.0 - 1e-9):
         parts.append((done, length, DEAD))
-    unit = np.array(along) / length
+    unit = along / length
     normal = np.array([-unit[1], unit[0]])
     if normal[1] < 0.0 or (normal[1] == 0.0 and normal[0] < 0.0):
         normal = -normal
-    place, curves = np.array(at), []
+    curves = []
     for begin, end, owner in parts:
         ends = place + unit * np.array([[begin], [end]]) + rho * normal
         if abs(ends[1, 0] - ends[0, 0]) > 1e-12 * length:

@@ -59,14 +59,16 @@ def planner_of(case: Case, closure: Closure = Closure.FRICTIONAL) -> tuple[Plann
     stretches = case.sensors.stretches(case.hand)
     low, high = case.hand.base_limits
     angles = dict.fromkeys((case.hand.open, *(each for each in OTHER_OPENINGS if low <= each < high)))
-    openings = tuple(_opening(case, case.object.radius, stretches, angle, closure) for angle in angles)
+    openings = tuple(opening_of(case, stretches, angle, closure) for angle in angles)
     return Planner(openings, Doubt(case.sensors.displacement, case.sensors.pose_error)), stretches
 
 
-def _opening(case: Case, radius: float, stretches: tuple[Stretch, ...], angle: float, closure: Closure) -> Opening:
-    opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": angle})})
+def opening_of(case: Case, stretches: tuple[Stretch, ...], angle: float, closure: Closure) -> Opening:
+    """Profile and closing region of a disk's case with the fingers at a base angle (rad)."""
+    assert isinstance(case.object, Disk)
+    opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": float(angle)})})
     region = exact_region(opened, closure, COARSE * case.hand.finger_length).centre
-    seen = profile(case.hand, radius, stretches, angle)
+    seen = profile(case.hand, case.object.radius, stretches, angle)
     return Opening(angle, seen, target(areal(region.intersection(above(seen, 10.0 * case.hand.finger_length)))))
 
 

@@ -6,7 +6,7 @@ stepping kernel. The object stays while it is touched, but for the displacement.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import shapely
@@ -36,7 +36,10 @@ class Errors:
 
 @dataclass(frozen=True)
 class Trial:
-    """How many starts were caught, and lost: after closing, by a touch that the plan does not know, or left by the plan."""
+    """How many starts were caught, and lost: after closing, by a touch that the plan does not know, or left by the plan.
+
+    ``of_leaves``: how many came to each closing, in the order of the tree.
+    """
 
     caught: int
     lost: int
@@ -44,6 +47,7 @@ class Trial:
     given_up: int
     most_approaches: int
     examples: tuple[tuple[float, float], ...]
+    of_leaves: tuple[int, ...]
 
     @property
     def starts(self) -> int:
@@ -58,6 +62,7 @@ class _Tally:
     surprised: int = 0
     given_up: int = 0
     most: int = 0
+    leaves: list[int] = field(default_factory=list)
 
 
 def drawn_starts(uncertainty: BaseGeometry, number: int, seed: int) -> Floats:
@@ -88,7 +93,7 @@ def try_plan(
     run.follow(policy, starts, np.arange(len(starts)), 0)
     tally = run.tally
     examples = tuple((float(starts[k, 0]), float(starts[k, 1])) for k in run.bad[:5])
-    return Trial(tally.caught, tally.lost, tally.surprised, tally.given_up, tally.most, examples)
+    return Trial(tally.caught, tally.lost, tally.surprised, tally.given_up, tally.most, examples, tuple(tally.leaves))
 
 
 @dataclass(frozen=True)
@@ -102,7 +107,7 @@ class _Run:
 
     def follow(self, policy: Policy, places: Floats, who: NDArray[np.int64], approaches: int) -> None:
         """Carry objects at ``places`` (N, 2), seen from the commanded hand, through the rest of a policy."""
-        self.tally.most = max(self.tally.most, approaches)
+        self.tally.most = max(self.tally.most, approaches if len(places) else 0)
         if isinstance(policy, Lost):
             self.tally.given_up += len(places)
             self.bad.extend(who.tolist())
@@ -112,6 +117,9 @@ class _Run:
             self._approach(policy, places, who, approaches)
 
     def _close(self, policy: Close, places: Floats, who: NDArray[np.int64]) -> None:
+        self.tally.leaves.append(len(places))
+        if len(places) == 0:
+            return
         hand = self.case.hand.model_copy(update={"open": policy.opening})
         world = stepping_world(self.case.model_copy(update={"hand": hand}))
         seen = places - (policy.place.x, policy.place.y) + self._shifts(self.errors.pose_error, len(places))
@@ -137,8 +145,7 @@ class _Run:
         for branch in policy.branches:
             here = sensors == (NOTHING if branch.sensor is None else branch.sensor)
             known |= here
-            if here.any():
-                self.follow(branch.then, after[here], who[here], approaches + 1)
+            self.follow(branch.then, after[here], who[here], approaches + 1)
         self.tally.surprised += int((~known).sum())
         self.bad.extend(who[~known].tolist())
 

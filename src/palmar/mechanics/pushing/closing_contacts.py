@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, SEVERAL, THETA, TIME, TOUCHED, Bench, X, Y
+from palmar.mechanics.pushing.closing_motion import KEPT, LEFT, RIGHT, SEVERAL, THETA, TIME, TOUCHED, Bench, X, Y
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.contact_scan import touching_candidates
 from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of, place_links
@@ -29,16 +29,22 @@ def look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) ->
         if finger_of(hand, link_of(at.active[k])) >= 0:
             s[TOUCHED] = 1.0
     if changed:
-        s[SEVERAL] = 0.0
+        s[SEVERAL], s[KEPT] = 0.0, 0.0
     return least, count
 
 
 @compiled
-def settle_and_look(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> tuple[float, int]:
-    """``settle``, unless that drives the object deeper into a link, then ``look``; returns as that."""
+def settle_and_look(
+    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, begins: bool
+) -> tuple[float, int]:  # fmt: skip
+    """``settle``, unless that drives the object deeper into a link, then ``look``; returns as that.
+
+    ``begins``: a contact has just been located at the stride's end. Where the shift opens its gap again a little, that is
+    closed, too.
+    """
     s = at.state
     x, y, theta = s[X], s[Y], s[THETA]
-    settle(hand, body, at, count, scale)
+    most = settle(hand, body, at, count, scale)
     least, found = look(hand, body, at, scale, scale.touch)
     if least < -4.0 * scale.error - scale.touch:
         shifted = s[X], s[Y], s[THETA]
@@ -48,13 +54,35 @@ def settle_and_look(hand: HandMotion, body: Body, at: Bench, count: int, scale: 
             return before, found
         s[X], s[Y], s[THETA] = shifted
         least, found = look(hand, body, at, scale, scale.touch)
+    if begins and most > 0.05 * scale.touch:
+        return _close_opened(hand, body, at, scale, scale.touch + 2.0 * most, least, found)
     return least, found
 
 
 @compiled
-def settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> None:
-    """Shift the object so that contacts of the last mode have gap zero and the others at least that."""
-    s, square = at.state, body.reach * body.reach
+def _close_opened(
+    hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float, least: float, found: int
+) -> tuple[float, int]:
+    """Shift the object to all contacts with a gap of up to ``touch``, if that makes more of them touch; as ``look``."""
+    s = at.state
+    x, y, theta = s[X], s[Y], s[THETA]
+    _, more = look(hand, body, at, scale, touch)
+    if more == found:
+        return least, found
+    for k in range(more):
+        at.loads[k, 0] = 1.0
+    settle(hand, body, at, more, scale)
+    after, number = look(hand, body, at, scale, scale.touch)
+    if number < more or after < least - scale.touch:
+        s[X], s[Y], s[THETA] = x, y, theta
+        after, number = look(hand, body, at, scale, scale.touch)
+    return after, number
+
+
+@compiled
+def settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) -> float:
+    """Shift the object so that contacts of the last mode have gap zero and the others at least that; largest gap closed."""
+    s, square, largest = at.state, body.reach * body.reach, 0.0
     place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
     for _ in range(SWEEPS):
         most = 0.0
@@ -70,5 +98,7 @@ def settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) ->
             s[X], s[Y] = s[X] + shift * row[2], s[Y] + shift * row[3]
             s[THETA] += shift * lever / square
             most = max(most, abs(gap))
+        largest = max(largest, most)
         if most <= 0.05 * scale.touch:
-            return
+            break
+    return largest

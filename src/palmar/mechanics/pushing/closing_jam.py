@@ -11,8 +11,6 @@ can reach, is extrapolated from where the loads are ``PINCHING``.
 
 from __future__ import annotations
 
-from math import inf
-
 from palmar.mechanics.pushing.closing_events import STALLS, note, note_touches
 from palmar.mechanics.pushing.closing_motion import (
     LEFT,
@@ -38,6 +36,9 @@ from palmar.mechanics.pushing.polygon_contacts import Body, link_of
 
 PINCHING = 30.0
 """Load, in units of the friction with the table, from which two contacts without friction may be about to pinch."""
+UNBEARABLE = 1e6
+"""Load, in units of the friction with the table, at which a motion counts as none: cones that just see each other,
+as two right-angled corners do at friction 1, let an object creep under loads that no finger bears."""
 NEAR_PINCH = 5e-5
 """Time (rad) within which the end of a pinch is extrapolated: right to 1e-5 rad there."""
 PROBE = 1e-7
@@ -53,11 +54,12 @@ def _moves_without(hand: HandMotion, body: Body, at: Bench, count: int, finger: 
             row[4], row[5] = to_object(at, hand.vx, hand.vy)
         speed = max(speed, abs(row[4]) + abs(row[5]))
     guess = at.state[VX], at.state[VY], at.state[OMEGA]
-    return full_twist(body, at, count, speed, guess) > 0 and _most_load(at, count) <= bearable
+    return full_twist(body, at, count, speed, guess) > 0 and most_load(at, count) <= bearable
 
 
 @compiled
-def _most_load(at: Bench, count: int) -> float:
+def most_load(at: Bench, count: int) -> float:
+    """The largest normal load of the contacts, in units of the friction with the table."""
     most = 0.0
     for k in range(count):
         most = max(most, at.loads[k, 0])
@@ -67,7 +69,7 @@ def _most_load(at: Bench, count: int) -> float:
 @compiled
 def stall(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> None:
     """Stop the fingers because of which there is no motion at the state."""
-    s, bearable = at.state, PINCHING if at.state[PINCHED] > 0.0 else inf
+    s, bearable = at.state, PINCHING if at.state[PINCHED] > 0.0 else UNBEARABLE
     stop_right, stop_left = s[RIGHT] == MOVING, s[LEFT] == MOVING
     if stop_right and stop_left:
         write_contacts(hand, body, at, count, skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
@@ -90,7 +92,7 @@ def stall(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> N
 def pinch(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> bool:
     """Go on to the end of a pinch without friction if the state, whose twist is known, is near one."""
     s = at.state
-    if body.friction > 0.0 or count < 2 or _most_load(at, count) < PINCHING:
+    if body.friction > 0.0 or count < 2 or most_load(at, count) < PINCHING:
         return False
     x, y, theta = s[X] + PROBE * s[VX], s[Y] + PROBE * s[VY], s[THETA] + PROBE * s[OMEGA]
     speed = write_contacts(hand, body, at, count, skin, s[TIME] + PROBE, s[RIGHT], s[LEFT], x, y, theta)

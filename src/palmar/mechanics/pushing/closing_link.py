@@ -12,6 +12,9 @@ from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.interpolation import between
 
+LAST_STEP = 1e-5
+"""Step (rad) from which the next one would be of its third power, 1e-15."""
+
 
 @compiled
 def turn_to_tip(hand: ClosingHand, tables: Tables, r: float) -> float:
@@ -50,22 +53,24 @@ def link_root(
 ) -> float:
     """psi in [low, high] where x (horizontal) or y of the disk that is to reach the tip at ``tip`` falls to ``level``.
 
-    It is above at low, below at high: Newton's method inside the bracket.
+    It is above at low, below at high: Halley's method inside the bracket, with r' = rho, x' = -r sin psi, y' = r cos psi.
+    Of third order where nothing drags, so that the step after one of ``LAST_STEP`` is left out; else repeated to the end.
     """
     rho = hand.radius + hand.half_thickness
-    psi = 0.5 * (low + high)
+    psi, last = 0.5 * (low + high), LAST_STEP if len(tables.link_turn) == 0 else 1e-12
     for _ in range(60):
         r, c, s = reach_at(hand, tables, tip - psi), cos(psi), sin(psi)
         value = (hand.half_palm + r * c - rho * s if horizontal else r * s + rho * c) - level
-        slope = -r * s if horizontal else r * c
+        slope, bend = (-r * s, -rho * s - r * c) if horizontal else (r * c, rho * c - r * s)
         if value > 0.0:
             low = psi
         else:
             high = psi
-        step = psi - value / slope if slope != 0.0 else low
+        below = slope * slope - 0.5 * value * bend
+        step = psi - value * slope / below if below > 0.0 else low
         if not low < step < high:
             step = 0.5 * (low + high)
-        if abs(step - psi) <= 1e-12:
+        if abs(step - psi) <= last:
             return step
         psi = step
     return psi

@@ -2,7 +2,7 @@
 
 ``solve_motion`` tries every mode of every contact and finds all admissible motions. Within a step the mode stays
 the same, so ``mode_twist`` uses Newton's method in the mode of the last motion alone, and says how far the motion found
-is from being inadmissible; where it becomes so, all modes are tried again.
+is from being inadmissible; where it becomes so, all modes are tried again. ``kept_twist`` says where that can be spared.
 
 A limit surface turns with its object: contacts are written, and motions solved, along the object's axes; motions come
 back along the table's.
@@ -21,13 +21,12 @@ from palmar.mechanics.pushing.contact_solve import (
     CONTACT_WIDTH,
     MOST_CONTACTS,
     Workspace,
-    edge_loads,
-    edges_twist,
     fill_rows,
     keeps_clear,
     margin_left,
     workspace,
 )
+from palmar.mechanics.pushing.edge_loads import edge_loads, edges_twist
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, HandMotion, place_links
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK, tangent_metric
 from palmar.mechanics.pushing.metric import Triple, inverse, squared
@@ -39,13 +38,18 @@ Integers = NDArray[np.int64]
 PASSES = 8
 LAST_CHANGE = 2e-5
 """Relative change of the motion at which Newton's pass, of quadratic convergence, is the last in a known mode."""
+REST, SOON = 5e-9, 0.1
+"""A pass is also the last if the next one would change the motion by less than REST: a change e announces C e^2, with the
+largest C = e' / e^2, doubled, of all pairs of passes in the stride that began with e < SOON."""
+UNKNOWN = -1.0
 NONE, MANY = -2, -3
 """In place of an edge: no load; the loads are on more than three edges, or not known."""
 CLEAR = 1e-8
-STATE_WIDTH, MOST_BRANCHES = 15, 8
-X, Y, THETA, TIME, RIGHT, LEFT, VX, VY, OMEGA, TOUCHED, DEPTH, SEVERAL, FLAGS, LOGGED, PINCHED = range(15)
+STATE_WIDTH, MOST_BRANCHES = 16, 8
+X, Y, THETA, TIME, RIGHT, LEFT, VX, VY, OMEGA, TOUCHED, DEPTH, SEVERAL, FLAGS, LOGGED, PINCHED, KEPT = range(16)
 """Entries of a state: pose, time, stall angles (or MOVING), last twist, whether a finger has touched it, number of
-alternatives taken, whether those here are noted, flags, number of events, whether it was pinched without friction."""
+alternatives taken, whether those here are noted, flags, number of events, whether it was pinched without friction,
+whether the contacts are those of the last motion."""
 
 
 class Bench(NamedTuple):
@@ -53,9 +57,10 @@ class Bench(NamedTuple):
 
     ``apart`` is each link's least gap but for its active contacts at the state, or less. ``loads`` (per active contact:
     normal and tangential) and ``edges`` belong to the last motion found; ``modes`` is one for each link; ``stages`` are
-    the twists of one step; ``pivot`` (on, x, y, rate) is what the object turns about where it turns with a link;
+    the twists and margins of one stride, ``course`` its way between (``closing_course``), ``trend`` the rate of the twist
+    at the state as far as known; ``pivot`` (on, x, y, rate) is what the object turns about where it turns with a link;
     ``branches`` are the alternatives still to be followed; ``log`` the events; ``frame`` cosine and sine of the axes that
-    the contacts are written along.
+    the contacts are written along, and the square of how strongly Newton's passes converge in this stride, UNKNOWN below 0.
     """
 
     links: Floats
@@ -69,6 +74,8 @@ class Bench(NamedTuple):
     edges: Integers
     modes: Integers
     stages: Floats
+    course: Floats
+    trend: Floats
     state: Floats
     pivot: Floats
     branches: Floats
@@ -91,12 +98,14 @@ def bench(events: int) -> Bench:
         np.zeros((MOST_ACTIVE, 2)),
         np.full(3, NONE),
         np.zeros(2 * MOST_LINKS + 1, np.int64),
-        np.zeros((7, 3)),
+        np.zeros((7, 4)),
+        np.zeros((4, 3)),
+        np.zeros(3),
         np.zeros(STATE_WIDTH),
         np.zeros(4),
         np.zeros((MOST_BRANCHES, STATE_WIDTH)),
         np.zeros((events, 3)),
-        np.zeros(2),
+        np.zeros(3),
         workspace(),
     )
 
@@ -228,6 +237,7 @@ def mode_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
     x, y = to_object(at, guess[0], guess[1])
     w = guess[2]
     a, b, c = at.edges[0], at.edges[1], at.edges[2]
+    before = inf
     if a == MANY:
         return full_twist(body, at, count, speed, guess) > 0, 1.0
     if a == NONE:
@@ -240,12 +250,32 @@ def mode_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
         nx, ny, nw = edges_twist(contacts, rows, a, b, c, la, lb, lc)
         change = squared(metric, nx - x, ny - y, nw - w)
         x, y, w = nx, ny, nw
-        if regular and change <= LAST_CHANGE * LAST_CHANGE * squared(metric, x, y, w):
+        here = change / squared(metric, x, y, w)
+        if before < SOON * SOON:
+            at.frame[2] = max(at.frame[2], 4.0 * here / (before * before))
+        known, before = at.frame[2] >= 0.0 and here < SOON * SOON, here
+        if regular and (here <= LAST_CHANGE * LAST_CHANGE or (known and at.frame[2] * here * here <= REST * REST)):
             _write_loads(at, count, a, b, c, la, lb, lc)
             motion[0], motion[1], motion[2] = x, y, w
             _to_table(at, motion)
             return True, margin_left(contacts, count, rows, speed, a, b, c, la, lb, lc, x, y, w)
     return False, -1.0
+
+
+@compiled
+def kept_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -> bool:
+    """Whether the last motion's mode has an admissible motion at the contacts written, and no other has; see mode_twist.
+
+    Without friction there is never another one. With a single contact there is none on an ellipsoid if a load along its
+    normal a, with either limit of friction, opens it: a_n > mu |a_t|.
+    """
+    if at.edges[0] < 0 or (count > 1 and body.friction > 0.0):
+        return False
+    moves, margin = mode_twist(body, at, count, speed, guess)
+    normal, tangent = at.space.rows[0], at.space.rows[1]
+    opens = normal[0] * normal[3] + normal[1] * normal[4] + normal[2] * normal[5]
+    drags = normal[0] * tangent[3] + normal[1] * tangent[4] + normal[2] * tangent[5]
+    return moves and margin >= 0.0 and opens > body.friction * abs(drags)
 
 
 @inlined

@@ -24,12 +24,14 @@ from numpy.typing import NDArray
 
 from palmar.mechanics.pushing import closing_end
 from palmar.mechanics.pushing.closing_contacts import look, settle_and_look
+from palmar.mechanics.pushing.closing_course import go_on
 from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
-from palmar.mechanics.pushing.closing_jam import pinch, stall
+from palmar.mechanics.pushing.closing_jam import UNBEARABLE, most_load, pinch, stall
 from palmar.mechanics.pushing.closing_kink import first_kink
 from palmar.mechanics.pushing.closing_motion import (
     DEPTH,
     FLAGS,
+    KEPT,
     LEFT,
     LOGGED,
     MOST_BRANCHES,
@@ -48,9 +50,10 @@ from palmar.mechanics.pushing.closing_motion import (
     Y,
     bench,
     full_twist,
+    kept_twist,
     write_contacts,
 )  # fmt: skip
-from palmar.mechanics.pushing.closing_stride import FIRST_STRIDE, LONGEST_ARC, pose_after, stride, turns_along
+from palmar.mechanics.pushing.closing_stride import FIRST_STRIDE, LONGEST_ARC, stride, turns_along
 from palmar.mechanics.pushing.closing_touch import first_change, first_touch
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
@@ -64,6 +67,8 @@ INVALID, UNDECIDED = Outcome.INVALID.code, Outcome.UNDECIDED.code
 TOLERANCE, BATCH_TOLERANCE = 1e-7, 1e-6
 """Error allowed per stride, in finger lengths: for one start; for many, of which the outcomes are asked."""
 MOST_STEPS = 4000
+AFRESH = 0.6
+"""Length of a stride after an event, in units of what the one that it ended would have had."""
 DEEPEST = 3
 ROWS_PER_TASK = 64
 RANGE = 0.01
@@ -116,23 +121,6 @@ def _cut(
 
 
 @compiled
-def _go_on(at: Bench, h: float, part: float, last: float) -> None:
-    """Take the state to the fraction ``part`` of the stride, and its twist too, as far as that is known."""
-    s, k = at.state, at.stages
-    s[X], s[Y], s[THETA] = pose_after(at, h, part)
-    time = s[TIME] + part * h
-    s[TIME] = last if part == 1.0 and last - time <= 1e-12 else min(time, last)
-    if at.pivot[0] > 0.0:
-        s[VX], s[VY] = -s[OMEGA] * (s[Y] - at.pivot[2]), s[OMEGA] * (s[X] - at.pivot[1])
-    else:
-        s[VX], s[VY], s[OMEGA] = (
-            k[0, 0] + part * (k[6, 0] - k[0, 0]),
-            k[0, 1] + part * (k[6, 1] - k[0, 1]),
-            k[0, 2] + part * (k[6, 2] - k[0, 2]),
-        )
-
-
-@compiled
 def _ahead(
     hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, speed: float, h: float, left: float
 ) -> tuple[float, float, int]:
@@ -140,6 +128,7 @@ def _ahead(
     at.pivot[0] = 0.0
     if speed == 0.0:
         at.stages[:] = 0.0
+        at.course[:] = 0.0
         return left, FIRST_STRIDE, 7
     if turns_along(hand, body, at, count):
         return min(left, LONGEST_ARC), FIRST_STRIDE, 7
@@ -152,16 +141,18 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
     """Carry the state to its end; returns (whether that was reached, number of alternatives that wait)."""
     s, h = at.state, FIRST_STRIDE
     _, count = look(hand, body, at, scale, scale.touch)
-    at.loads[:] = 0.0
+    at.loads[:], at.trend[:], s[KEPT] = 0.0, 0.0, 0.0
     if count > 0:
-        _, count = settle_and_look(hand, body, at, count, scale)
+        _, count = settle_and_look(hand, body, at, count, scale, False)
     last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
     for _ in range(most_steps):
         if s[TIME] >= last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
             return True, branches
         speed = write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
-        number = full_twist(body, at, count, speed, (s[VX], s[VY], s[OMEGA]))
-        if number <= 0:
+        guess = s[VX], s[VY], s[OMEGA]
+        known = s[KEPT] > 0.0 and kept_twist(body, at, count, speed, guess)
+        number = 1 if known else full_twist(body, at, count, speed, guess)
+        if number <= 0 or (count > 1 and most_load(at, count) > UNBEARABLE):
             s[FLAGS] = int(s[FLAGS]) | (UNSOLVED if number < 0 else 0)
             stall(hand, body, at, count, scale.skin)
             last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
@@ -173,18 +164,20 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
         if len(at.log) > 0:
             note_modes(at, count)
         if pinch(hand, body, at, count, scale.skin):
-            _, count = settle_and_look(hand, body, at, count, scale)
+            _, count = settle_and_look(hand, body, at, count, scale, False)
             stall(hand, body, at, count, scale.skin)
             last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
             continue
         h, proposal, over = _ahead(hand, body, at, count, scale, speed, h, last - s[TIME])
         part = _cut(hand, body, at, count, scale, h, over)
-        _go_on(at, h, part, last)
+        go_on(at, h, part, last)
+        s[KEPT], before = 1.0 if part == 1.0 and over == 7 else 0.0, count
         if speed > 0.0 and at.pivot[0] == 0.0:
-            least, count = settle_and_look(hand, body, at, count, scale)
+            least, count = settle_and_look(hand, body, at, count, scale, part < 1.0)
         else:
             least, count = look(hand, body, at, scale, scale.touch)
-        h = proposal
+        s[KEPT] *= 1.0 if count == before else 0.0
+        h = proposal if s[KEPT] > 0.0 else AFRESH * max(min(proposal, h), FIRST_STRIDE)
         if least <= -body.width:  # a link is inside: never go on from there
             s[FLAGS] = int(s[FLAGS]) | UNSOLVED
             return False, branches

@@ -1,6 +1,6 @@
 """One stride of an object that closing links push: Runge and Kutta's method.
 
-The pair of Dormand and Prince, orders 5 and 4, and the fourth-order interpolant between (Shampine). Within a stride the
+The pair of Dormand and Prince, orders 5 and 4; ``closing_course`` is what goes on between. Within a stride the
 contacts that touch at its begin stay the same, and so does their mode: which of them carry load, stick or slide. So the
 stages are smooth, also past the point where the mode ceases to be admissible or another contact begins; the stride is
 cut there afterwards (``closing_kink``, ``closing_touch``).
@@ -11,17 +11,19 @@ until something else touches it: such a stride is an arc, without an error.
 
 from __future__ import annotations
 
-from math import cos, hypot, sin
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.pushing.closing_course import fit_course
 from palmar.mechanics.pushing.closing_motion import (
     LEFT,
     OMEGA,
     RIGHT,
     THETA,
     TIME,
+    UNKNOWN,
     VX,
     VY,
     Bench,
@@ -33,7 +35,6 @@ from palmar.mechanics.pushing.closing_motion import (
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_solve import TIGHT
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of
-from palmar.mechanics.pushing.metric import Triple
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of
 
 Floats = NDArray[np.float64]
@@ -43,6 +44,12 @@ OVER = 1e-7
 DRIFT = 5.0
 """Gaps, in units of the gap that touches, by which two contacts under load may drift in a stride: where they nearly
 oppose each other or meet a third, closing gaps again moves the object by many times as much."""
+MOST_GROWTH = 2.5
+"""Factor from one stride to the next. It is small because the rate at which two tips pinch an object grows without bound."""
+EARLY, FINE = 2, 1e-5
+"""Last stage at which the end of the mode stops a stride longer than FINE (rad)."""
+BEYOND = 1.1
+"""Length of a stride that is tried again, in units of the time to where its mode ends: not much is lost past that."""
 SHARE = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 STAGES = np.array(
     [
@@ -56,49 +63,52 @@ STAGES = np.array(
     ]
 )
 ERROR = (-71 / 57600, 0.0, 71 / 16695, -71 / 1920, 17253 / 339200, -22 / 525, 1 / 40)
-BETWEEN = np.array(
+AHEAD = np.array(
     [
-        [1.0, -8048581381 / 2820520608, 8663915743 / 2820520608, -12715105075 / 11282082432],
-        [0.0, 0.0, 0.0, 0.0],
-        [0.0, 131558114200 / 32700410799, -68118460800 / 10900136933, 87487479700 / 32700410799],
-        [0.0, -1754552775 / 470086768, 14199869525 / 1410260304, -10690763975 / 1880347072],
-        [0.0, 127303824393 / 49829197408, -318862633887 / 49829197408, 701980252875 / 199316789632],
-        [0.0, -282668133 / 205662961, 2019193451 / 616988883, -1453857185 / 822651844],
-        [0.0, 40617522 / 29380423, -110615467 / 29380423, 69997945 / 29380423],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [-1 / 2, 3 / 2, 0.0, 0.0, 0.0, 0.0],
+        [-5 / 3, 0.0, 8 / 3, 0.0, 0.0, 0.0],
+        [53 / 243, 0.0, -128 / 243, 106 / 81, 0.0, 0.0],
+        [7 / 24, 0.0, -100 / 159, 0.0, 567 / 424, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
     ]
 )
+"""Each stage's twist as extrapolated from those before, by the polynomial through those named: where Newton begins."""
 
 
 @inlined
 def stages(
     hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: float
 ) -> tuple[bool, int]:  # fmt: skip
-    """Fill the stages of a stride h from the state, the first being the state's own twist.
+    """Fill the stages of a stride h from the state, the first being the state's own twist; and the mode's margins there.
 
-    Returns (whether all have a motion, the first at which the mode is not admissible, or 7).
+    Returns (whether they are filled, the first at which the mode is not admissible, or 7). They are not where one of
+    them has no motion, and where the mode ends so early that a shorter stride is to be tried.
     """
     s, k = at.state, at.stages
-    k[0, 0], k[0, 1], k[0, 2] = s[VX], s[VY], s[OMEGA]
-    over = 7
+    k[0, 0], k[0, 1], k[0, 2], k[0, 3] = s[VX], s[VY], s[OMEGA], 1.0
+    over, at.frame[2] = 7, UNKNOWN
     for i in range(1, 7):
         x, y, theta = s[X], s[Y], s[THETA]
+        vx, vy, omega = 0.0, 0.0, 0.0
         for j in range(i):
-            weight = h * STAGES[i, j]
+            weight, ahead = h * STAGES[i, j], AHEAD[i, j]
             x, y, theta = x + weight * k[j, 0], y + weight * k[j, 1], theta + weight * k[j, 2]
+            vx, vy, omega = vx + ahead * k[j, 0], vy + ahead * k[j, 1], omega + ahead * k[j, 2]
+        if i == 1:
+            step = SHARE[1] * h
+            vx, vy, omega = vx + step * at.trend[0], vy + step * at.trend[1], omega + step * at.trend[2]
         speed = write_contacts(hand, body, at, count, skin, s[TIME] + SHARE[i] * h, s[RIGHT], s[LEFT], x, y, theta)
-        ahead = SHARE[i] / SHARE[i - 1] if i > 1 else 1.0
-        guess = (
-            k[0, 0] + ahead * (k[i - 1, 0] - k[0, 0]),
-            k[0, 1] + ahead * (k[i - 1, 1] - k[0, 1]),
-            k[0, 2] + ahead * (k[i - 1, 2] - k[0, 2]),
-        )
-        moves, margin = mode_twist(body, at, count, speed, guess)
+        moves, margin = mode_twist(body, at, count, speed, (vx, vy, omega))
         if not moves:
             return False, over
+        motion = at.space.motions[0]
+        k[i, 0], k[i, 1], k[i, 2], k[i, 3] = motion[0], motion[1], motion[2], margin
         if margin < -OVER and over == 7:
             over = i
-        motion = at.space.motions[0]
-        k[i, 0], k[i, 1], k[i, 2] = motion[0], motion[1], motion[2]
+            if i <= EARLY and h > FINE:
+                return False, i
     return True, over
 
 
@@ -121,7 +131,7 @@ def error_of(at: Bench, count: int, reach: float, scale: Scale, base: float, h: 
 
 @compiled
 def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h: float) -> tuple[float, float, int]:
-    """(length of a stride of the error allowed, stages filled; proposal for the next; ``over`` of ``stages``).
+    """(length of a stride of the error allowed, stages and course filled; proposal for the next; ``over`` of ``stages``).
 
     Where the mode has no motion right after the state, the shortest stride with the state's twist is taken.
     """
@@ -129,8 +139,8 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
     for c in range(count):
         base = max(base, abs(at.gaps[c]) if at.loads[c, 0] != 0.0 else 0.0)
     while True:
-        moves, over = stages(hand, body, at, count, scale.skin, h)
-        if not moves:
+        filled, over = stages(hand, body, at, count, scale.skin, h)
+        if not filled:
             if h <= SHORTEST_STRIDE:
                 for i in range(1, 7):
                     at.stages[i, 0], at.stages[i, 1], at.stages[i, 2] = (
@@ -138,14 +148,39 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
                         at.stages[0, 1],
                         at.stages[0, 2],
                     )
+                fit_course(at, SHORTEST_STRIDE)
                 return SHORTEST_STRIDE, SHORTEST_STRIDE, 7
-            h = max(0.2 * h, SHORTEST_STRIDE)
+            h = max(h * (0.2 if over == 7 else min(max(BEYOND * _end_of_mode(at, over), 0.1), 0.5)), SHORTEST_STRIDE)
             continue
         error = error_of(at, count, body.reach, scale, base, h)
-        factor = 5.0 if error <= 2e-4 * scale.error else 0.9 * (scale.error / error) ** 0.2
+        factor = MOST_GROWTH if error <= 4e-3 * scale.error else 0.85 * (scale.error / error) ** 0.2
         if error <= scale.error or h <= SHORTEST_STRIDE:
+            fit_course(at, h)
+            if count > 1:
+                factor = min(factor, max(_share_of_pinch(at, body.reach), 0.2))
             return h, min(max(h * factor, SHORTEST_STRIDE), LONGEST_STRIDE), over
+        if over < 7:
+            factor = min(factor, BEYOND * _end_of_mode(at, over))
+        for j in range(3):
+            at.trend[j] = (at.stages[1, j] - at.stages[0, j]) / (SHARE[1] * h)
         h = max(h * max(factor, 0.15), SHORTEST_STRIDE)
+
+
+@inlined
+def _share_of_pinch(at: Bench, reach: float) -> float:
+    """Half the time left, in strides, if the speed grows as in a pinch, with the root of the time to its end; else much."""
+    first, last = at.stages[0], at.stages[6]
+    before = first[0] * first[0] + first[1] * first[1] + reach * reach * first[2] * first[2]
+    growth = last[0] * last[0] + last[1] * last[1] + reach * reach * last[2] * last[2] - before
+    return 0.5 * before / growth if growth > 0.0 else MOST_GROWTH
+
+
+@inlined
+def _end_of_mode(at: Bench, over: int) -> float:
+    """About the fraction of the stride at which its mode ceases to be admissible, before the stage ``over``."""
+    before, after = at.stages[over - 1, 3], at.stages[over, 3]
+    a, b = SHARE[over - 1], SHARE[over]
+    return b + (b - a) * after / (max(before, 0.0) - after)
 
 
 @compiled
@@ -173,22 +208,3 @@ def turns_along(hand: HandMotion, body: Body, at: Bench, count: int) -> bool:
         k = at.stages[i]
         k[0], k[1], k[2] = 1.5 * hypot(vx, vy), 0.0, rate
     return True
-
-
-@inlined
-def pose_after(at: Bench, h: float, part: float) -> Triple:
-    """Pose at the fraction ``part`` of the stride."""
-    s, k, pivot = at.state, at.stages, at.pivot
-    x, y, theta = s[X], s[Y], s[THETA]
-    if pivot[0] > 0.0:
-        angle = pivot[3] * h * part
-        cosine, sine, dx, dy = cos(angle), sin(angle), x - pivot[1], y - pivot[2]
-        return pivot[1] + cosine * dx - sine * dy, pivot[2] + sine * dx + cosine * dy, theta + angle
-    for i in range(7):
-        if part == 1.0:
-            weight = h * (STAGES[6, i] if i < 6 else 0.0)
-        else:
-            row = BETWEEN[i]
-            weight = h * part * (row[0] + part * (row[1] + part * (row[2] + part * row[3])))
-        x, y, theta = x + weight * k[i, 0], y + weight * k[i, 1], theta + weight * k[i, 2]
-    return x, y, theta

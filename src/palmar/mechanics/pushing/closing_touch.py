@@ -9,13 +9,17 @@ from __future__ import annotations
 
 from math import cos, inf, sin, sqrt
 
+from palmar.mechanics.pushing.closing_course import pose_after
 from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, TIME, Bench
-from palmar.mechanics.pushing.closing_stride import pose_after
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_scan import further_gaps
+from palmar.mechanics.pushing.crossing import next_point
 from palmar.mechanics.pushing.hand_pose import HandMotion, place_links
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of, range_left
 
+PASSES = 120
+CLOSEST = 1e-13
+"""Bracket (rad) in which a new candidate appears (a tip that comes before an edge); time goes on by that."""
 FINEST = 1e-4
 """Intervals (rad) in which a further contact that came and went would go unnoticed."""
 LONGEST_SEARCH = 0.05
@@ -82,17 +86,22 @@ def first_touch(
         if min(free, near) <= level:  # more touches than is known of
             return min(part, FINEST / h)
     a, step = 0.0, _sure_step(free, near, speed, bend, h)
+    before, at_before = 0.0, inf
     while a < part:
         b = min(a + step, part)
         next_free, next_near = gaps_after(hand, body, at, count, scale, far, h, b)
         span = (b - a) * h
         if min(next_free, next_near) <= level:
             if span <= LONGEST_SEARCH:
-                return _locate(hand, body, at, count, scale, far, h, a, b, min(free, near), min(next_free, next_near))
+                return _locate(
+                    hand, body, at, count, scale, far, h, a, b,
+                    min(free, near), min(next_free, next_near), before, at_before,
+                )  # fmt: skip
             step = 0.5 * (b - a)
             continue
         clear = free + next_free > speed * span and 4.0 * min(near, next_near) > bend * span * span
         if clear or span <= FINEST:
+            before, at_before = a, min(free, near)
             a, free, near = b, next_free, next_near
             step = _sure_step(free, near, speed, bend, h)
         else:
@@ -137,22 +146,25 @@ def _least_range(hand: HandMotion, body: Body, at: Bench, count: int, h: float, 
 @compiled
 def _locate(
     hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, far: float, h: float,
-    a: float, b: float, at_a: float, at_b: float,
+    a: float, b: float, at_a: float, at_b: float, before: float, at_before: float,
 ) -> float:  # fmt: skip
-    """Where in [a, b] the least gap falls to half of ``touch``: false position, halving where that does not shrink."""
-    level, width = 0.5 * scale.touch, inf
-    for k in range(80):
-        part = a + (b - a) * (at_a - level) / (at_a - at_b)
-        if at_a == inf or (k % 3 == 2 and b - a > 0.25 * width):
-            part = 0.5 * (a + b)
-        if k % 3 == 0:
-            width = b - a
+    """Where in [a, b] the least gap falls to half of ``touch``; ``before`` a, where ``at_before`` is known, helps."""
+    level, jump = 0.5 * scale.touch, -0.5 * body.width
+    x1, f1, x2, f2 = a, at_a - level, before, at_before - level
+    if at_b > jump and (at_before == inf or before == a):
+        x2, f2 = b, at_b - level
+    for k in range(PASSES):
+        part = next_point(a, b, x1, f1, x2, f2, k)
         free, near = gaps_after(hand, body, at, count, scale, far, h, part)
         gap = min(free, near)
-        if abs(gap - level) <= 0.4 * scale.touch or b - a <= 1e-15:
+        if abs(gap - level) <= 0.4 * scale.touch:
             return part
         if gap > level:
-            a, at_a = part, gap
+            a = part
         else:
-            b, at_b = part, gap
-    return b
+            b = part
+        if jump < gap < inf:
+            x1, f1, x2, f2 = part, gap - level, x1, f1
+        if b - a <= CLOSEST / h:
+            break
+    return max(b, CLOSEST / h)

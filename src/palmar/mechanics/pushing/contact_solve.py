@@ -23,7 +23,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
-from palmar.mechanics.pushing.metric import Metric, Triple, inverse, squared, times
+from palmar.mechanics.pushing.edge_loads import edges_twist, fill_entries, known_loads, lean_of
+from palmar.mechanics.pushing.metric import Metric, inverse, squared, times
 
 Floats = NDArray[np.float64]
 MOST_CONTACTS = 4
@@ -66,7 +67,7 @@ class Workspace(NamedTuple):
 def workspace() -> Workspace:
     """A fresh workspace."""
     shape = (MOST_MOTIONS, MOTION_WIDTH)
-    rows, contacts = np.zeros((2 * MOST_CONTACTS, 7)), np.zeros((MOST_CONTACTS, CONTACT_WIDTH))
+    rows, contacts = np.zeros((2 * MOST_CONTACTS, 7 + 2 * MOST_CONTACTS)), np.zeros((MOST_CONTACTS, CONTACT_WIDTH))
     return Workspace(np.zeros(shape), np.zeros(shape), np.zeros(shape), rows, contacts)
 
 
@@ -74,10 +75,11 @@ def workspace() -> Workspace:
 def solve_contacts(metric: Metric, contacts: Floats, count: int, motions: Floats, rows: Floats) -> int:
     """Write every admissible motion into ``motions`` and return their number; 0: the object is jammed.
 
-    ``contacts`` (>= count, 7), ``motions`` (8, 11) and ``rows`` (8, 7), the latter for scratch. Loads balance
+    ``contacts`` (>= count, 7), ``motions`` (8, 11) and ``rows`` (8, 15), the latter for scratch. Loads balance
     B nu. More than eight motions are not recorded (none have been met).
     """
     speed = fill_rows(inverse(metric), contacts, count, rows)
+    fill_entries(contacts, count, rows)
     found = 0
     if keeps_clear(contacts, count, 0.0, 0.0, 0.0, TIGHT * speed):
         found = _record(metric, 0.0, 0.0, 0.0, speed, motions, found)
@@ -112,76 +114,6 @@ def fill_rows(mobility: Metric, contacts: Floats, count: int, rows: Floats) -> f
             row[3], row[4], row[5] = times(mobility, dx, dy, lever)
             row[6] = dx * ux + dy * uy
     return speed
-
-
-@inlined
-def _entry(rows: Floats, constraint: int, contact: int, lean: float) -> float:
-    """Speed along the row ``constraint`` per load on an edge of the contact that has the tangential part ``lean``."""
-    row, normal, tangent = rows[constraint], rows[2 * contact], rows[2 * contact + 1]
-    return (
-        row[0] * (normal[3] + lean * tangent[3])
-        + row[1] * (normal[4] + lean * tangent[4])
-        + row[2] * (normal[5] + lean * tangent[5])
-    )
-
-
-@inlined
-def _lean(contacts: Floats, edge: int) -> float:
-    return contacts[edge // 2, 6] if edge % 2 == 0 else -contacts[edge // 2, 6]
-
-
-@inlined
-def edge_loads(contacts: Floats, rows: Floats, a: int, b: int, c: int) -> tuple[bool, float, float, float]:
-    """Loads on the edges a < b < c (b, c may be NONE) that move their contacts as constrained; False: singular."""
-    r1 = a // 2 * 2
-    a11 = _entry(rows, r1, a // 2, _lean(contacts, a))
-    b1 = rows[r1, 6]
-    if b < 0:
-        return abs(a11) > 1e-12 * _entry(rows, r1, a // 2, 0.0), b1 / a11, 0.0, 0.0
-    r2 = b // 2 * 2 + (1 if b // 2 == a // 2 else 0)
-    a12, a21 = _entry(rows, r1, b // 2, _lean(contacts, b)), _entry(rows, r2, a // 2, _lean(contacts, a))
-    a22, b2 = _entry(rows, r2, b // 2, _lean(contacts, b)), rows[r2, 6]
-    minor = a11 * a22 - a12 * a21
-    if c < 0:
-        size = abs(a11 * a22) + abs(a12 * a21)
-        return abs(minor) > 1e-12 * size, (b1 * a22 - b2 * a12) / minor, (a11 * b2 - a21 * b1) / minor, 0.0
-    r3 = c // 2 * 2 + (1 if c // 2 == b // 2 else 0)
-    a13, a23 = _entry(rows, r1, c // 2, _lean(contacts, c)), _entry(rows, r2, c // 2, _lean(contacts, c))
-    a31, a32 = _entry(rows, r3, a // 2, _lean(contacts, a)), _entry(rows, r3, b // 2, _lean(contacts, b))
-    a33, b3 = _entry(rows, r3, c // 2, _lean(contacts, c)), rows[r3, 6]
-    c1, c2, c3 = a22 * a33 - a23 * a32, a13 * a32 - a12 * a33, a12 * a23 - a13 * a22
-    d1, d2, d3 = a23 * a31 - a21 * a33, a11 * a33 - a13 * a31, a13 * a21 - a11 * a23
-    e1, e2 = a21 * a32 - a22 * a31, a12 * a31 - a11 * a32
-    det = a11 * c1 + a21 * c2 + a31 * c3
-    size = abs(a11 * c1) + abs(a21 * c2) + abs(a31 * c3)
-    first, second, third = b1 * c1 + b2 * c2 + b3 * c3, b1 * d1 + b2 * d2 + b3 * d3, b1 * e1 + b2 * e2 + b3 * minor
-    return abs(det) > 1e-12 * size, first / det, second / det, third / det
-
-
-@inlined
-def _moved(contacts: Floats, rows: Floats, edge: int, load: float) -> Triple:
-    """The twist that a load on one edge causes."""
-    normal, tangent, lean = rows[edge // 2 * 2], rows[edge // 2 * 2 + 1], _lean(contacts, edge)
-    return (
-        load * (normal[3] + lean * tangent[3]),
-        load * (normal[4] + lean * tangent[4]),
-        load * (normal[5] + lean * tangent[5]),
-    )
-
-
-@inlined
-def edges_twist(
-    contacts: Floats, rows: Floats, a: int, b: int, c: int, la: float, lb: float, lc: float
-) -> Triple:  # fmt: skip
-    """The twist that loads on up to three edges cause."""
-    x, y, w = _moved(contacts, rows, a, la)
-    if b >= 0:
-        x2, y2, w2 = _moved(contacts, rows, b, lb)
-        x, y, w = x + x2, y + y2, w + w2
-    if c >= 0:
-        x3, y3, w3 = _moved(contacts, rows, c, lc)
-        x, y, w = x + x3, y + y3, w + w3
-    return x, y, w
 
 
 @inlined
@@ -244,7 +176,7 @@ def _try_edges(
     a: int, b: int, c: int,
 ) -> int:  # fmt: skip
     """Record the motion with loads on these edges if it is admissible; returns how many motions there are now."""
-    regular, la, lb, lc = edge_loads(contacts, rows, a, b, c)
+    regular, la, lb, lc = known_loads(rows, a, b, c)
     least = -TIGHT * (abs(la) + abs(lb) + abs(lc))
     if not (regular and la >= least and lb >= least and lc >= least):
         return found
@@ -256,7 +188,7 @@ def _try_edges(
         for edge, load in ((a, la), (b, lb), (c, lc)):
             if edge >= 0:
                 motions[found, 3 + edge // 2 * 2] += load
-                motions[found, 4 + edge // 2 * 2] += load * _lean(contacts, edge)
+                motions[found, 4 + edge // 2 * 2] += load * lean_of(contacts, edge)
     return after
 
 

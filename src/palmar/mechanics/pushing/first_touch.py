@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, cos, hypot, sin, sqrt
+from math import acos, asin, atan2, cos, sin, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,14 +18,14 @@ TOUCHING = 1e-9
 @compiled
 def first_touch(d: float, length: float, rho: float, x: float, y: float) -> tuple[float, float]:
     """(psi, r) at which the finger of base (d, 0) first meets a disk at rest at (x, y); r > length on the tip, NaN never."""
-    reach = hypot(x - d, y)
-    bearing = atan2(y, x - d)
+    square = (x - d) * (x - d) + y * y
+    reach = sqrt(square)
     if reach <= rho or reach > length + rho:
         return np.nan, np.nan
-    along = sqrt(reach * reach - rho * rho)
+    bearing, along = atan2(y, x - d), sqrt(square - rho * rho)
     if along <= length:
         return bearing - asin(rho / reach), along
-    return bearing - acos((length * length + reach * reach - rho * rho) / (2.0 * length * reach)), along
+    return bearing - acos((length * length + square - rho * rho) / (2.0 * length * reach)), along
 
 
 @compiled
@@ -33,13 +33,15 @@ def overlaps(hand: ClosingHand, x: float, y: float) -> bool:
     """Whether a disk at (x, y) overlaps the palm or either open finger."""
     d, slack = hand.half_palm, hand.radius * TOUCHING
     beside = max(abs(x) - d, 0.0)
-    if hypot(beside, y) < hand.radius - slack:
+    clear = hand.radius - slack
+    if beside * beside + y * y < clear * clear:
         return True
-    c, s = cos(hand.first), sin(hand.first)
+    c, s, clear = cos(hand.first), sin(hand.first), clear + hand.half_thickness
     for side in (1.0, -1.0):
         px = side * x - d
         along = min(max(px * c + y * s, 0.0), hand.length)
-        if hypot(px - along * c, y - along * s) < hand.radius + hand.half_thickness - slack:
+        px, py = px - along * c, y - along * s
+        if px * px + py * py < clear * clear:
             return True
     return False
 
