@@ -95,6 +95,13 @@ def test_a_trace_is_drawn_from_the_run_and_from_its_file(palmar, scoop, tmp_path
     assert "scoop" in drawn.read_text(encoding="utf-8")
 
 
+def test_a_start_inside_the_hand_is_told_and_kept(palmar, scoop, tmp_path):
+    path = tmp_path / "run.csv"
+    answer = palmar("behaviours", "run", scoop, "--start", "0,10", "--out", path, "--json")
+    assert (answer.record["outcome"], answer.record["ended"]) == ("invalid", "broken")
+    assert palmar("behaviours", "replay", path, "--json").record == answer.record
+
+
 def test_check_tells_by_the_exit_status(palmar, scoop):
     assert palmar("behaviours", "run", scoop, "--tick", 20, "--check").status == 0
     assert palmar("behaviours", "run", scoop, "--tick", 20, "--start", "0,500", "--check").status == 1

@@ -128,6 +128,14 @@ def test_the_palm_reflex_closes_at_the_bit_and_only_then() -> None:
     assert missed.trace.joints == ((0.0, 0.0), (0.0, 0.0))
 
 
+def test_a_gripped_object_is_felt_though_it_no_longer_moves() -> None:
+    case = case_of(BehaviourName.CLOSE)
+    pressed = Circumstances(0.02, Sensing(displacement=0.2))
+    done = run_behaviour(case, (0.03, 0.12, 0.0), pressed)
+    assert done.trace.outcome.caught and done.verdict is Verdict.CAUGHT
+    assert not any(any(row.seen.bits) for row in done.trace.rows[:-2])
+
+
 def test_a_run_is_cut_off_and_says_so() -> None:
     done = run_behaviour(case_of(BehaviourName.CLOSE), (0.0, 0.1, 0.0), Circumstances(tick=0.1, longest=0.5))
     assert done.trace.ended is Ended.CUT_OFF

@@ -54,7 +54,7 @@ class Bits:
     def read(self, touches: list[Touch], place: Place, seconds: float, displaces: bool) -> tuple[bool, ...]:
         """The bits ``seconds`` (s) after the last reading, the object being at ``place`` (m).
 
-        Where touch does not move the object (``displaces`` false) it is felt at once.
+        Where touch does not move the object (``displaces`` false: it is massive, or gripped) it is felt at once.
         """
         bits = [self._bit(number, touches, place, displaces) for number in range(len(self.rows))]
         if self.sensing.false_rate > 0.0:

@@ -97,7 +97,7 @@ class FeedbackWorld:
             left -= self._go(command, left)
         self.time += span
         self.still = before == (self.carriage.place, self.carriage.arm, self.angles)
-        self.feel(span, not self._slides_by(command))
+        self.feel(span, not self._slides_by(command) and not any(self.gripped))
         return span
 
     def outcome(self) -> Outcome:
@@ -190,6 +190,7 @@ def feedback_world(
     world = FeedbackWorld(
         carriage, slider.centre, travel_of(hand), bits, massive, tick, angles, carriage.overlaps(angles)
     )
+    world.firing = (False,) * len(bits.rows)
     if not world.invalid:
         world.feel(0.0, not massive)
     return world
