@@ -5,11 +5,13 @@ import pytest
 
 from palmar.mechanics.pushing.closing_case import straight_motion
 from palmar.mechanics.pushing.closing_tables import ClosingHand, build_tables
+from palmar.mechanics.pushing.hand_pose import hand_motion
 from palmar.mechanics.pushing.limit_surface import disk_surface
 from palmar.mechanics.pushing.polygon_contacts import polygon_body
 from palmar.models.closure import Closure
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region, published_region
+from palmar.regions.certified import certified_sets
 from palmar.regions.closing_exact import exact_sides
 from palmar.regions.closing_sampled import sampled_sets
 
@@ -52,3 +54,8 @@ def test_sampled_region_of_an_odd_polygon_at_all_orientations(benchmark):
     body = polygon_body(corners - np.array([0.0036, 0.0011]), 0.7)
     motion, thetas = straight_motion(CASE.hand), np.linspace(0.0, 2.0 * np.pi, 72, endpoint=False)
     benchmark.pedantic(sampled_sets, (motion, body, (0.0, 0.0), thetas, 0.0075), rounds=3, warmup_rounds=1)
+
+
+def test_certified_region_of_a_bent_hand(benchmark):
+    """A band of at most 1 % of the inner area."""
+    benchmark.pedantic(certified_sets, (hand_motion(0.06, [0.137, 0.107], 0.0125, offsets=[0.4]), 0.038), rounds=3)

@@ -6,7 +6,11 @@ from pathlib import Path
 import pytest
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
-PRINTED = {"01_first_answer.py": "97.5 mm off", "02_which_finger.py": "at least 60.21 mm"}
+PRINTED = {
+    "01_first_answer.py": "97.5 mm off",
+    "02_which_finger.py": "at least 60.21 mm",
+    "03_feel_the_way.py": "380 mm: 2",
+}
 
 
 def test_every_example_is_pinned():

@@ -6,19 +6,23 @@ on a light and on a dark page; the colours are told apart by colour-blind reader
 
 from __future__ import annotations
 
-from pathlib import Path
+from pathlib import Path as File
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, Polygon, Wedge
+from matplotlib.patches import Circle, PathPatch, Polygon, Wedge
+from matplotlib.path import Path
 from numpy.typing import NDArray
 
+from palmar.geometry.planar_set import areal
+from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOVING, hand_motion, place_links
 from palmar.mechanics.pushing.uniform_disk import secant_ratio
+from palmar.regions.certified import certified_sets
 
 Floats = NDArray[np.float64]
-HERE = Path(__file__).resolve().parent
+HERE = File(__file__).resolve().parent
 INK, DISK, FORCE, REGION = "#7d7d7d", "#2f86c1", "#d55e00", "#009e73"
 ALPHA = float(np.radians(35))
 D, L, R = 1.0, 2.0, 0.5  # the example hand, line fingers
@@ -375,6 +379,27 @@ def draw_tip(axis: Axes, psi: float, beta: float) -> None:
     axis.set(xlim=(-0.7, 1.6), ylim=(-0.1, 2.95))
 
 
+def certified() -> None:
+    """Inner side and band before a bent hand, coarse and fine."""
+    motion, radius = hand_motion(1.0, [1.1, 0.9], offsets=[0.4]), 0.5
+    rows = np.zeros((2 * len(motion.links) + 1, LINK_WIDTH))
+    place_links(motion, motion.first, MOVING, MOVING, rows)
+    figure, axes = panels(2, 8.4, 2.6)
+    for axis, share in zip(axes, (0.15, 0.05), strict=True):
+        sets = certified_sets(motion, radius, share=share)
+        band = areal(sets.outer - sets.inner)
+        for whole, colour in ((sets.inner, REGION), (band, FORCE)):
+            for part in whole.geoms:
+                rings = [np.asarray(ring.coords) for ring in (part.exterior, *part.interiors)]
+                path = Path.make_compound_path(*[Path(ring, closed=True) for ring in rings])
+                axis.add_patch(PathPatch(path, color=colour, alpha=0.35 if colour == REGION else 0.9, lw=0))
+        for row in rows:
+            axis.plot(row[[0, 2]], row[[1, 3]], color=INK, lw=2.5, solid_capstyle="round")
+        caption(axis, f"{sets.starts} starts, band {100.0 * sets.share:.1f} % of the inner area")
+        axis.set(xlim=(-3.1, 3.1), ylim=(-0.15, 2.3))
+    save(figure, "certified")
+
+
 def main() -> None:
     """Write all figures."""
     plt.switch_backend("svg")
@@ -384,6 +409,7 @@ def main() -> None:
     region()
     closing()
     fingertip()
+    certified()
 
 
 if __name__ == "__main__":

@@ -27,14 +27,18 @@ BELIEFS = {
 
 @pytest.mark.parametrize("name", BELIEFS)
 @pytest.mark.parametrize("layout", [SensorLayout.DISTRIBUTED, SensorLayout.FULL])
-@pytest.mark.parametrize(("opening", "x"), [(0.0, 0.0), (0.7, 0.13), (1.2, -0.05)])
-def test_the_object_is_where_the_sensor_says(name: str, layout: SensorLayout, opening: float, x: float) -> None:
-    """Every place of a belief ends in the sensor region of the sensor that it touches; without errors, and with them."""
+@pytest.mark.parametrize(
+    ("opening", "x", "distance"), [(0.0, 0.0, None), (0.7, 0.13, 0.2), (1.2, -0.05, None), (0.0, 0.1, 0.12)]
+)
+def test_the_object_is_where_the_sensor_says(
+    name: str, layout: SensorLayout, opening: float, x: float, distance: float | None
+) -> None:
+    """Every place ends in the region of the sensor that it touches, or in that of none; without errors, and with them."""
     stretches = Sensors(layout=layout).stretches(HAND)
     seen = profile(HAND, RADIUS, stretches, opening)
     rng, starts = np.random.default_rng(1), drawn_starts(BELIEFS[name], 3000, 1)
     for doubt in (Doubt(), Doubt(displacement=0.004, pose_error=0.003)):
-        swept = sweep(BELIEFS[name], seen, x, doubt)
+        swept = sweep(BELIEFS[name], seen, x, doubt, distance)
         assert swept is not None
         off, pushed = (_shifts(rng, each, len(starts)) for each in (doubt.pose_error, doubt.displacement))
         touches = go_until_touched(HAND, stretches, opening, RADIUS, starts - (x, swept.y) + off, swept.distance)

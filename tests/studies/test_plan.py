@@ -14,7 +14,7 @@ from palmar.models.case import Case
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.sensors import SensorLayout, Sensors, Stretch
-from palmar.studies.plan import Plan, plan, planner_of
+from palmar.studies.plan import Plan, Rule, plan, planner_of
 from palmar.studies.plan_trial import Errors, Trial, drawn_starts, try_plan
 
 BED = Hand(palm_width=0.12, finger_links=(0.137, 0.107))
@@ -49,6 +49,24 @@ def test_every_object_drawn_is_caught_within_the_approaches_promised(layout: str
     trial = tried(case, found, uncertainty, at, Errors(**DOUBT))
     assert (trial.lost, trial.surprised, trial.given_up) == (0, 0, 0)
     assert trial.most_approaches <= approaches(found.found.policy) == 1
+
+
+def test_the_source_s_rule_needs_no_fewer_approaches() -> None:
+    """Where re-centring does as well, and where it comes to no end: parts on both sides of the hand, dead parts."""
+    for layout, uncertainty, needed in (
+        (SensorLayout.DISTRIBUTED, Point(0.0, 0.0).buffer(0.28), 1),
+        (SensorLayout.FULL, box(-0.3, -0.1, 0.3, 0.1), 1),
+        (SensorLayout.FULL, box(-0.4, -0.1, 0.4, 0.1), None),
+        (SensorLayout.TIPS, box(-0.25, -0.05, 0.25, 0.05), None),
+    ):
+        case = case_of(layout)
+        searched = plan(case, uncertainty, (0.0, 0.5), 3).found.policy
+        ruled = plan(case, uncertainty, (0.0, 0.5), 3, rule=Rule.RECENTRE)
+        assert is_guaranteed(searched)
+        assert (approaches(ruled.found.policy) if is_guaranteed(ruled.found.policy) else None) == needed
+        if needed is not None:
+            assert approaches(searched) <= needed
+            assert tried(case, ruled, uncertainty, (0.0, 0.5), Errors(**DOUBT)).caught == 4000
 
 
 def test_a_wide_uncertainty_takes_more_approaches() -> None:

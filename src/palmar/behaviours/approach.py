@@ -17,12 +17,14 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import LineString, affinity
+from shapely import LineString, Polygon, affinity
 from shapely.geometry.base import BaseGeometry
 
 from palmar.regions.profile import DEAD, Piece, Profile
 
 Floats = NDArray[np.float64]
+EDGE = 1e-3
+"""Share of the flattening by which pieces overlap, so that a place just over an end belongs to both."""
 ARC = 8
 """Chords to a quarter circle where a belief is grown; it is grown by that much more."""
 
@@ -53,30 +55,42 @@ class Sweep:
     felt: tuple[Felt, ...]
 
 
-def sweep(belief: BaseGeometry, profile: Profile, x: float, doubt: Doubt) -> Sweep | None:
-    """An approach beside x that goes on until all that can be touched has been.
+def sweep(
+    belief: BaseGeometry, profile: Profile, x: float, doubt: Doubt, distance: float | None = None
+) -> Sweep | None:
+    """An approach in line with x, over a ``distance`` (m) from below everything, or until all that can be touched has been.
 
     None where a part of the hand without a sensor may touch: the object would be pushed unfelt.
     """
     seen = affinity.translate(grow(belief, doubt.pose_error), -x)
     _, low, _, high = seen.bounds
     begin = low - profile.top - profile.flattening
-    distance = high - profile.bottom - begin + profile.flattening
+    farthest = high - profile.bottom - begin + profile.flattening
+    way = farthest if distance is None else min(distance, farthest)
     growth = profile.flattening + doubt.displacement + doubt.pose_error
     felt: dict[int, list[BaseGeometry]] = {}
     for piece in profile.pieces:
-        spans = _spans(seen, piece)
+        spans = _spans(seen, piece, begin + way, profile.flattening)
         if spans and piece.owner == DEAD:
             return None
         felt.setdefault(piece.owner, []).extend(grow(_cut(piece, *span), growth + piece.blur) for span in spans)
     found = [Felt(owner, shapely.union_all(parts)) for owner, parts in felt.items() if parts]
-    missed = affinity.translate(belief, -x)
-    inner = (profile.left + doubt.pose_error, low, profile.right - doubt.pose_error, high)
-    if inner[0] < inner[2]:
-        missed = shapely.difference(missed, shapely.box(*inner))
+    missed = affinity.translate(shapely.difference(affinity.translate(belief, -x), _swept(profile, low, begin + way, doubt)),
+                                0.0, -begin - way)  # fmt: skip
     if missed.area > 0.0:
-        found.append(Felt(None, affinity.translate(missed, 0.0, -begin - distance)))
-    return Sweep(x, begin, distance, tuple(found))
+        found.append(Felt(None, missed))
+    return Sweep(x, begin, way, tuple(found))
+
+
+def _swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeometry:
+    """Places above ``low`` that are touched for certain by the time the hand is at ``height`` (m)."""
+    under = [
+        Polygon(
+            [*(each.points + np.array([0.0, height])), (each.points[-1, 0], low - 1.0), (each.points[0, 0], low - 1.0)]
+        )
+        for each in profile.pieces
+    ]
+    return shapely.union_all([shapely.make_valid(each) for each in under]).buffer(-doubt.pose_error)
 
 
 def grow(belief: BaseGeometry, distance: float) -> BaseGeometry:
@@ -86,13 +100,20 @@ def grow(belief: BaseGeometry, distance: float) -> BaseGeometry:
     return belief.buffer(distance / np.cos(np.pi / (4 * ARC)), quad_segs=ARC)
 
 
-def _spans(belief: BaseGeometry, piece: Piece) -> list[tuple[float, float]]:
-    """The intervals of x over which the belief lies above a piece."""
-    low, high = float(piece.points[0, 0]) - piece.blur, float(piece.points[-1, 0]) + piece.blur
+def _spans(belief: BaseGeometry, piece: Piece, height: float, flattening: float) -> list[tuple[float, float]]:
+    """The intervals of x over which the belief lies where a piece passes by the time the hand is at ``height`` (m)."""
+    wide = piece.blur + EDGE * flattening
+    low, high = float(piece.points[0, 0]) - wide, float(piece.points[-1, 0]) + wide
     left, bottom, right, top = belief.bounds
     if right <= low or left >= high:
         return []
     inside = shapely.intersection(belief, shapely.box(low, bottom - 1.0, high, top + 1.0))
+    if height + float(piece.points[:, 1].min()) < top:
+        ends = [(low, piece.points[0, 1]), *piece.points, (high, piece.points[-1, 1])]
+        passed = [(x, y + height) for x, y in ends]
+        inside = shapely.intersection(
+            inside, Polygon([*passed, (high, bottom - 1.0), (low, bottom - 1.0)]).buffer(piece.blur + flattening)
+        )
     spans = [(each.bounds[0], each.bounds[2]) for each in shapely.get_parts(inside) if each.area > 0.0]
     joined: list[tuple[float, float]] = []
     for begin, end in sorted(spans):

@@ -164,12 +164,12 @@ def _over_span(low: Floats, high: Floats, begin: float, end: float) -> list[Span
         meets[steeper] = share + (value[here] - value[steeper]) / gain[steeper]
         meets[meets <= share + 1e-12] = np.inf
         after = int(np.argmin(meets))
-        stop = min(float(meets[after]), 1.0)
-        ends = [begin + each * (end - begin) for each in (share, stop)]
+        stop = 1.0 if meets[after] >= 1.0 - 1e-12 else float(meets[after])
+        ends = [end if each == 1.0 else begin + each * (end - begin) for each in (share, stop)]
         heights = [float(low[here] + each * rise[here]) for each in (share, stop)]
         crossing = float(gain[after]) / (end - begin) if stop < 1.0 else 0.0
         found.append((here, ends[0], heights[0], ends[1], heights[1], crossing))
-        if stop >= 1.0 - 1e-12:
+        if stop == 1.0:
             return found
         share, here = stop, after
 

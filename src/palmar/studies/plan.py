@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 from math import radians
 
 import shapely
-from shapely import LineString, Polygon
+from shapely import LineString, Polygon, affinity
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.approach import Doubt
 from palmar.behaviours.placing import target
+from palmar.behaviours.recentring import recentring
 from palmar.behaviours.search import Found, Opening, Planner
 from palmar.errors import NotCoveredError
 from palmar.geometry.planar_set import areal
@@ -38,15 +40,31 @@ class Plan:
     closure: Closure
 
 
+class Rule(Enum):
+    """How the next approach is chosen."""
+
+    FEWEST = "fewest"
+    """By search: as few approaches as can be found."""
+    RECENTRE = "recentre"
+    """The source's: under the middle of what is known."""
+
+
 def plan(
-    case: Case, uncertainty: BaseGeometry, at: tuple[float, float], most: int, closure: Closure = Closure.FRICTIONAL
+    case: Case,
+    uncertainty: BaseGeometry,
+    at: tuple[float, float],
+    most: int,
+    closure: Closure = Closure.FRICTIONAL,
+    rule: Rule = Rule.FEWEST,
 ) -> Plan:
     """The plan for an object whose centre is at ``at`` (m, hand frame) up to the set of errors ``uncertainty`` (m).
 
     Raises NotCoveredError for objects that are no disks.
     """
     planner, stretches = planner_of(case, closure)
-    belief = shapely.affinity.translate(uncertainty, *at)
+    belief = affinity.translate(uncertainty, *at)
+    if rule is Rule.RECENTRE:
+        return Plan(Found(recentring(planner, belief, most), False, 0), stretches, planner.doubt, closure)
     return Plan(planner.plan(belief, most), stretches, planner.doubt, closure)
 
 

@@ -17,6 +17,7 @@ from palmar.faces.plan_words import plan_text
 from palmar.models.case_file import with_layout
 from palmar.models.closure import Closure
 from palmar.models.shipped import open_case
+from palmar.studies.plan import Rule
 
 app = App(name="plan")
 MOST_APPROACHES, MOST_TRIALS = 6, 1_000_000
@@ -35,6 +36,9 @@ def plan(
     sensors: Annotated[
         str | None, Parameter(help="Instead of the case's: none, palm, tips, distributed, full, or PART[,PART...].")
     ] = None,
+    rule: Annotated[
+        Rule, Parameter(help="fewest: by search; recentre: under the middle of what is known.")
+    ] = Rule.FEWEST,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
     trial: Annotated[int, Parameter(help="Also simulate so many objects drawn from the uncertainty.")] = 0,
     seed: Annotated[int, Parameter(help="Of the objects drawn.")] = 0,
@@ -57,7 +61,7 @@ def plan(
         given = with_layout(given, sensors, "--sensors")
     errors = parse_uncertainty(uncertainty)
     place = given.start.at if at is None else place_given(at)
-    found = planned(given, errors, place, approaches_max, closure)
+    found = planned(given, errors, place, approaches_max, closure, rule)
     tried = None
     if trial > 0:
         progress(f"simulating {trial} objects")

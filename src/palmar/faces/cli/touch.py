@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import degrees, radians
+from pathlib import Path
 from typing import Annotated, Any
 
 from cyclopts import App, Parameter
@@ -32,10 +33,13 @@ def touch(
     opening: Annotated[Text, Parameter(help="DEG of the base joints, else the case's.")] = None,
     travel: Annotated[Text, Parameter(help="MM of the approach, else a finger's length.")] = None,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
+    out: Annotated[Path | None, Parameter(help="Also draw it: svg, pdf or png.")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
     """How wide an approach by touch is certain to end in a grasp, beside closing alone; by opening; the fewest sensors."""
+    if out is not None and out.suffix.lower() not in (".svg", ".pdf", ".png"):
+        raise InputError("--out", str(out), "this is drawn as svg, pdf or png")
     name, given = open_case(case)
     if sensors is not None:
         given = with_layout(given, sensors, "--sensors")
@@ -43,7 +47,13 @@ def touch(
     way = _way(given, travel)
     here = touch_at(given, angle, way, closure)
     curve, fewest = touch_by_opening(given, way, closure), fewest_stretches(given, angle, closure)
-    show(titled(name, given, _text(here, curve, fewest)), _record(here, curve, fewest), json)
+    if out is not None:
+        from palmar.faces.plots.style import save
+        from palmar.faces.plots.touch_picture import touch_picture
+
+        save(touch_picture(given, here), out)
+    written = [f"Written: {out}"] if out is not None else []
+    show(titled(name, given, _text(here, curve, fewest), *written), _record(here, curve, fewest), json)
     answer(here.good > 0.0, check)
 
 
