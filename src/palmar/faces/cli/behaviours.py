@@ -133,7 +133,8 @@ def _tell(name: str, done: BehaviourRun, out: Path | None, json: bool) -> None:
     from palmar.faces.trace_record import run_record
 
     trace, (x, y, theta) = done.trace, done.trace.rows[-1].pose
-    place = f"({1e3 * x + 0.0:.2f}, {1e3 * y:.2f}) mm, turned {math.degrees(theta):.2f} deg"
+    shown = (round(each, 2) + 0.0 for each in (1e3 * x, 1e3 * y, math.degrees(theta)))
+    place = "({:.2f}, {:.2f}) mm, turned {:.2f} deg".format(*shown)
     ended = (
         f"{done.case.behaviour.name.value}: {trace.outcome.value}; the object ends at {place}.\n"
         f"The hand's own verdict: {done.verdict.value}. {_ENDED[trace.ended.value]}."

@@ -32,6 +32,8 @@ from palmar.worlds.planar.finger_travel import FingerTravel, travel_of
 from palmar.worlds.planar.table import refuse_uncovered
 
 TICK = 0.005
+LONGEST_TURN = 0.1
+"""A joint turns by no more (rad) without a look at whether its finger has come to the palm."""
 NO_TIME = 1e-12
 SIDES = (0, 1)
 HOLDS = (Outcome.STRUCTURAL, Outcome.FRICTIONAL)
@@ -93,8 +95,10 @@ class FeedbackWorld:
         span = seconds if command.longest is None else min(seconds, command.longest)
         self._listen(command)
         before, left = (self.carriage.place, self.carriage.arm, self.angles), span
+        fastest = max(abs(each) for each in (*command.right, *command.left))
+        most = min(self.tick, LONGEST_TURN / fastest) if fastest > 0.0 else span
         while left > NO_TIME and not self.broken:
-            left -= self._go(command, left)
+            left -= self._go(command, min(left, most))
         self.time += span
         self.still = before == (self.carriage.place, self.carriage.arm, self.angles)
         self.feel(span, not self._slides_by(command) and not any(self.gripped))
