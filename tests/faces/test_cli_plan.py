@@ -70,6 +70,7 @@ def test_the_hardest_branch_is_drawn(capsys, tmp_path: Path, ending: str) -> Non
         ([*PLAN, "--approaches-max", "9"], "must be from 0 to 6"),
         ([*PLAN, "--trial", "-3"], "must be from 0 to 1000000"),
         ([*PLAN, "--out", "x.dxf"], "svg, pdf or png"),
+        ([*PLAN, "--animate", "x.mp4"], "gif"),
         (["plan", "testbed_table", "--uncertainty", "disk:-3"], "above 0"),
         (["plan", "testbed_table", "--uncertainty", "disk:30", "--at", "3"], "X_MM,Y_MM"),
         ([*PLAN[:-1], "palm,right_9"], "the hand has no right_9"),
@@ -85,6 +86,14 @@ def test_bad_input_is_one_line(capsys, words: list[str], said: str) -> None:
     status, out, err = called(capsys, *words)
     assert (status, out) == (2, "")
     assert err.count("\n") == 1 and said in err
+
+
+def test_a_plan_is_filmed_from_the_first_approach_to_the_grasp(capsys, tmp_path: Path) -> None:
+    file = tmp_path / "plan.gif"
+    words = ["plan", "testbed_table", "--at", "0,500", "--uncertainty", "box:800,100", "--sensors", "distributed"]
+    assert called(capsys, *words, "--animate", str(file))[0] == 0
+    with Image.open(file) as film:
+        assert film.n_frames > 30
 
 
 def test_what_touch_buys(capsys, tmp_path: Path) -> None:

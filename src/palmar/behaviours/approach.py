@@ -75,14 +75,14 @@ def sweep(
             return None
         felt.setdefault(piece.owner, []).extend(grow(_cut(piece, *span), growth + piece.blur) for span in spans)
     found = [Felt(owner, shapely.union_all(parts)) for owner, parts in felt.items() if parts]
-    missed = affinity.translate(shapely.difference(affinity.translate(belief, -x), _swept(profile, low, begin + way, doubt)),
+    missed = affinity.translate(shapely.difference(affinity.translate(belief, -x), swept(profile, low, begin + way, doubt)),
                                 0.0, -begin - way)  # fmt: skip
     if missed.area > 0.0:
         found.append(Felt(None, missed))
     return Sweep(x, begin, way, tuple(found))
 
 
-def _swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeometry:
+def swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeometry:
     """Places above ``low`` that are touched for certain by the time the hand is at ``height`` (m)."""
     under = [
         Polygon(
@@ -90,14 +90,20 @@ def _swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeo
         )
         for each in profile.pieces
     ]
-    return shapely.union_all([shapely.make_valid(each) for each in under]).buffer(-doubt.pose_error)
+    touched = shapely.union_all([shapely.make_valid(each) for each in under])
+    return touched.buffer(-_at_least(doubt.pose_error), quad_segs=ARC)
 
 
 def grow(belief: BaseGeometry, distance: float) -> BaseGeometry:
     """At least the Minkowski sum with a disk of radius ``distance`` (m)."""
     if distance <= 0.0:
         return belief
-    return belief.buffer(distance / np.cos(np.pi / (4 * ARC)), quad_segs=ARC)
+    return belief.buffer(_at_least(distance), quad_segs=ARC)
+
+
+def _at_least(distance: float) -> float:
+    """The distance (m) at which chords of a quarter circle's arc are nowhere nearer than the one asked for."""
+    return float(distance / np.cos(np.pi / (4 * ARC)))
 
 
 def _spans(belief: BaseGeometry, piece: Piece, height: float, flattening: float) -> list[tuple[float, float]]:

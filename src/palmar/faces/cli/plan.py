@@ -43,6 +43,7 @@ def plan(
     trial: Annotated[int, Parameter(help="Also simulate so many objects drawn from the uncertainty.")] = 0,
     seed: Annotated[int, Parameter(help="Of the objects drawn.")] = 0,
     out: Annotated[Path | None, Parameter(help="Also draw the hardest branch: svg, pdf or png.")] = None,
+    animate: Annotated[Path | None, Parameter(help="Also film an object that takes the most approaches: gif.")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
@@ -56,6 +57,8 @@ def plan(
     _within("--seed", seed, 0, 2**32 - 1)
     if out is not None and out.suffix.lower() not in (".svg", ".pdf", ".png"):
         raise InputError("--out", str(out), "a plan is drawn as svg, pdf or png")
+    if animate is not None and animate.suffix.lower() != ".gif":
+        raise InputError("--animate", str(animate), "a plan's film is a .gif")
     name, given = open_case(case)
     if sensors is not None:
         given = with_layout(given, sensors, "--sensors")
@@ -73,7 +76,11 @@ def plan(
         from palmar.faces.plots.style import save
 
         save(plan_picture(given, found), out)
-    written = [f"Written: {out}"] if out is not None else []
+    if animate is not None:
+        from palmar.faces.plots.plan_film import write_plan_film
+
+        write_plan_film(animate, given, found)
+    written = [f"Written: {each}" for each in (out, animate) if each is not None]
     show(
         titled(name, given, plan_text(found, approaches_max, tried), *written),
         plan_record(found, approaches_max, tried),

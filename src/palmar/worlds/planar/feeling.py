@@ -20,7 +20,8 @@ from palmar.models.sensors import Stretch
 Floats = NDArray[np.float64]
 NOTHING, UNFELT = -1, -2
 """Instead of a sensor: nothing was touched; a part without a sensor was."""
-CLOSE, MOST_STEPS = 1e-10, 2000
+CLOSE, MOST_STEPS = 1e-10, 50_000_000
+"""Clearance (m) that is a touch; steps, of which a disk that passes a tip by 1e-9 m takes many."""
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,80 @@
+"""A plan carried out on one object, as a film: the hand feels its way, and what is known of the object shrinks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from numpy.typing import NDArray
+from PIL import Image
+
+from palmar.faces.exports.whole_file import write_whole
+from palmar.faces.plots.areas import draw_area
+from palmar.faces.plots.hand import draw_finger, draw_object, draw_palm, finger_points
+from palmar.faces.plots.plan_picture import BELIEF, LEAST
+from palmar.faces.plots.region_picture import millimetre_ticks
+from palmar.faces.plots.sheet import MARGIN, Extent, Pad, Room, sheet
+from palmar.faces.plots.style import HEADING_SIZE, Role
+from palmar.geometry.planar_set import areal
+from palmar.models.case import Case
+from palmar.studies.plan import Plan
+from palmar.studies.plan_walk import Moment, longest_way, walk
+
+ROOM = Room(Pad(3.0, 6.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, 0.0, 0.0))
+DPI, COLOURS, DELAY, LAST = 90, 48, 60, 2500
+"""Dots per inch; colours of the palette; milliseconds of a picture, and of the last."""
+
+
+def write_plan_film(path: Path, case: Case, plan: Plan) -> None:
+    """Write a GIF of an object that takes the most approaches, whole or not at all."""
+    moments = list(walk(case, plan, longest_way(case, plan)))
+    extent = _extent(case, moments)
+    pictures = [Image.fromarray(_picture(case, each, extent)) for each in moments]
+    palette = pictures[len(pictures) // 3].quantize(COLOURS, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    flat = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in pictures]
+    durations = [DELAY] * (len(flat) - 1) + [LAST]
+
+    def write(partial: Path) -> None:
+        flat[0].save(
+            partial, format="GIF", save_all=True, append_images=flat[1:], duration=durations, loop=0, optimize=True
+        )
+
+    write_whole(path, write)
+
+
+def _extent(case: Case, moments: list[Moment]) -> Extent:
+    """All that the hand and the belief ever cover."""
+    found = Extent(*moments[0].belief.bounds)
+    for each in moments:
+        right, left = (
+            finger_points(case.hand, (psi,), left=side) for psi, side in zip(each.fingers, (False, True), strict=True)
+        )
+        points = np.concatenate([right, left]) + each.hand
+        (x, y), (x_most, y_most) = points.min(axis=0), points.max(axis=0)
+        found = found.joined(Extent(float(x), float(y), float(x_most), float(y_most)))
+    return found
+
+
+def _picture(case: Case, moment: Moment, extent: Extent) -> NDArray[np.uint8]:
+    """RGB (height, width, 3), both even."""
+    page = sheet([[extent]], title="Where the object's centre may be (orange)", room=ROOM)
+    axes = page.panels[0][0]
+    millimetre_ticks(axes)
+    draw_area(axes, areal(moment.belief.buffer(LEAST * max(extent.size))), BELIEF)
+    draw_object(axes, case.object, moment.thing, fill=0.6)
+    _draw_hand(axes, case, moment)
+    page.write((MARGIN, MARGIN), moment.doing, size=HEADING_SIZE, bold=True, role=Role.CAPTION)
+    canvas: Any = FigureCanvasAgg(page.figure)
+    page.figure.set_dpi(DPI)
+    canvas.draw()
+    picture = np.asarray(canvas.buffer_rgba())[:, :, :3]
+    return picture[: len(picture) // 2 * 2, : picture.shape[1] // 2 * 2].copy()
+
+
+def _draw_hand(axes: Axes, case: Case, moment: Moment) -> None:
+    draw_palm(axes, case.hand, at=moment.hand)
+    for psi, left in zip(moment.fingers, (False, True), strict=True):
+        draw_finger(axes, case.hand, (psi,), left=left, at=moment.hand)
