@@ -63,7 +63,7 @@ def test_the_slow_reference_agrees():
     inside, outside = shapely.contains_xy(sets.inner, starts), ~shapely.contains_xy(sets.outer, starts)
     end = math.pi - motion.first
     offset, ratio = motion.offsets[0, 1], motion.ratios[0, 1]
-        joints = np.array([[motion.first, offset], [math.pi, offset + ratio * end]])
+    joints = np.array([[motion.first, offset], [math.pi, offset + ratio * end]])
     hand = Hand(
         motion.half_palm, tuple(motion.links), motion.half_thickness, False,
         clock=np.array([motion.first, math.pi]), joints=joints,
