@@ -62,7 +62,8 @@ def test_the_slow_reference_agrees():
     starts = starts_about(sets, 400, np.random.default_rng(2))
     inside, outside = shapely.contains_xy(sets.inner, starts), ~shapely.contains_xy(sets.outer, starts)
     end = math.pi - motion.first
-    joints = np.array([[motion.first, motion.offsets[1]], [math.pi, motion.offsets[1] + motion.ratios[1] * end]])
+    offset, ratio = motion.offsets[0, 1], motion.ratios[0, 1]
+    joints = np.array([[motion.first, offset], [math.pi, offset + ratio * end]])
     hand = Hand(
         motion.half_palm, tuple(motion.links), motion.half_thickness, False,
         clock=np.array([motion.first, math.pi]), joints=joints,

@@ -21,7 +21,9 @@ def test_the_belief_holds_the_object_and_shrinks(uncertainty) -> None:
         moments = list(walk(case, found, longest_way(case, found, seed)))
         known = [each for each in moments if each.doing != "close"]
         assert all(shapely.distance(each.belief, Point(each.thing)) < 1e-6 for each in known)
-        areas = np.array([each.belief.area for each in known if each.doing in ("approach", "placed: closing catches it")])
+        areas = np.array(
+            [each.belief.area for each in known if each.doing in ("approach", "placed: closing catches it")]
+        )
         assert areas[-1] < 0.5 * areas[0]
         right, left = moments[-1].fingers
         assert min(right, left) > 1.0

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from enum import Enum
 from itertools import product
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
+from palmar.models.behaviour import Behaviour
 from palmar.models.contact import Contact
 from palmar.models.hand import Hand
 from palmar.models.objects import Object
@@ -23,19 +23,6 @@ class Start(Value):
     at: Annotated[Point, Unit.MILLIMETRE] = (0.0, 0.12)
     theta: Annotated[Real, Field(ge=-100.0, le=100.0), Unit.DEGREE] = 0.0
     velocity: Annotated[tuple[Coordinate, Coordinate], Unit.MILLIMETRE_PER_SECOND] = (0.0, 0.0)
-
-
-class BehaviourName(Enum):
-    """The reflexes and motions that a case can name."""
-
-    CLOSE = "close"
-    """Both fingers close from the open angle at the same rate, kept straight; the hand stands still."""
-
-
-class Behaviour(Value):
-    """What the hand does; its parameters stand beside the name."""
-
-    name: BehaviourName = BehaviourName.CLOSE
 
 
 class Range(Value):

@@ -12,7 +12,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from palmar.errors import InputError
-from palmar.models.case import Behaviour, Case, Range, Start
+from palmar.models.behaviour import Behaviour
+from palmar.models.case import Case, Range, Start
 from palmar.models.contact import Contact
 from palmar.models.explain import explain
 from palmar.models.hand import Hand

@@ -5,6 +5,7 @@ from __future__ import annotations
 from palmar.errors import NotCoveredError
 from palmar.geometry.planar_set import EMPTY
 from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
@@ -30,6 +31,8 @@ def build_region(
     ``orientations``: first and last (rad) at which a polygon is to be caught, else that of the case's start.
     ``tolerance`` (m): how far curves of the exact region may be flattened, or simulated starts be apart.
     """
+    if case.behaviour.name is not BehaviourName.CLOSE:
+        raise NotCoveredError(f'behaviour.name = "{case.behaviour.name.value}": regions are those of closing')
     if model is Model.PUBLISHED:
         return published_region(case, closure)
     from palmar.regions.exact import exact_region

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.closing import Ends
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
 from palmar.worlds.planar.events import Event, events
@@ -99,6 +100,11 @@ def film(case: Case, start: tuple[float, float, float], frames: int) -> Trace:
 
 def _places(case: Case, starts: NDArray[np.float64]) -> NDArray[np.float64]:
     """Starts as (N, 3): x, y, theta; a velocity is refused, sliding on a table has no memory of it."""
+    if case.behaviour.name is not BehaviourName.CLOSE:
+        name = case.behaviour.name.value
+        raise NotCoveredError(
+            f'behaviour.name = "{name}": simulate is for closing, palmar behaviours run for the others'
+        )
     wide = np.zeros((len(starts), 5))
     wide[:, : starts.shape[1]] = starts
     if np.any(wide[:, 3:]) or case.start.velocity != (0.0, 0.0):

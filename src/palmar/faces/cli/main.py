@@ -21,6 +21,7 @@ for name, summary in {
     "simulate": "What becomes of an object that starts here.",
     "plan": "Approaches by touch that certainly end in a grasp.",
     "touch": "What the hand's sensors buy, and how few would do.",
+    "behaviours": "What the hand can be told to do, and a run of it under feedback.",
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",

@@ -71,7 +71,7 @@ def _bent(hand: HandMotion) -> float:
     """Bound (m/rad^2) on the acceleration of any point of a link."""
     total, turn = 0.0, 1.0
     for j in range(len(hand.links)):
-        turn += hand.ratios[j]
+        turn += hand.ratios[0, j]
         total += hand.links[j] * turn * turn
     return total
 

@@ -60,6 +60,16 @@ def settle_and_look(
 
 
 @compiled
+def look_again(
+    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, drifts: bool, begins: bool
+) -> tuple[float, int]:  # fmt: skip
+    """At a stride's end: ``settle_and_look``, or only ``look`` where contacts did not drift (rest, or an arc)."""
+    if drifts:
+        return settle_and_look(hand, body, at, count, scale, begins)
+    return look(hand, body, at, scale, scale.touch)
+
+
+@compiled
 def _close_opened(
     hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float, least: float, found: int
 ) -> tuple[float, int]:

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing import closing_end
-from palmar.mechanics.pushing.closing_contacts import look, settle_and_look
+from palmar.mechanics.pushing.closing_contacts import look, look_again, settle_and_look
 from palmar.mechanics.pushing.closing_course import go_on
 from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
 from palmar.mechanics.pushing.closing_jam import UNBEARABLE, most_load, pinch, stall
@@ -172,10 +172,7 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
         part = _cut(hand, body, at, count, scale, h, over)
         go_on(at, h, part, last)
         s[KEPT], before = 1.0 if part == 1.0 and over == 7 else 0.0, count
-        if speed > 0.0 and at.pivot[0] == 0.0:
-            least, count = settle_and_look(hand, body, at, count, scale, part < 1.0)
-        else:
-            least, count = look(hand, body, at, scale, scale.touch)
+        least, count = look_again(hand, body, at, count, scale, speed > 0.0 and at.pivot[0] == 0.0, part < 1.0)
         s[KEPT] *= 1.0 if count == before else 0.0
         h = proposal if s[KEPT] > 0.0 else AFRESH * max(min(proposal, h), FIRST_STRIDE)
         if least <= -body.width:  # a link is inside: never go on from there
@@ -216,7 +213,7 @@ def carry_on(
     A disk to the left takes the way of its mirror image, so that mirror symmetry is exact.
     """
     round_surface = body.surface.kind == UNIFORM_DISK or body.surface.kind == ELLIPSOID
-    if not (len(body.vertices) == 1 and round_surface and x < 0.0 and hand.vx == 0.0):
+    if not (len(body.vertices) == 1 and round_surface and x < 0.0 and hand.vx == 0.0 and hand.mirrored):
         return _carry(hand, body, at, x, y, theta, tolerance, most_steps)
     end = _carry(hand, body, at, -x, y, -theta, tolerance, most_steps)
     mirror_log(hand, at)

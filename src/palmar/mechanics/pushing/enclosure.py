@@ -46,8 +46,8 @@ def stall_together_until(hand: HandMotion, since: float) -> float:
     left one to the right, every place on their inner sides moves inwards, and so do the tips.
     """
     psi = np.linspace(since, hand.last, SAMPLES)
-    turns = 1.0 + np.cumsum(hand.ratios)
-    joints = hand.offsets + hand.ratios * (psi[:, None] - hand.first)
+    turns = 1.0 + np.cumsum(hand.ratios[0])
+    joints = hand.offsets[0] + hand.ratios[0] * (psi[:, None] - hand.first)
     angles = psi[:, None] + np.cumsum(joints, axis=1)
     rates, half = turns * hand.links, 0.5 * (hand.last - since) / (SAMPLES - 1)
     fine = (angles.min(axis=1) >= 0.0) & (angles.max(axis=1) <= pi)
@@ -64,7 +64,7 @@ def _reach_rate(hand: HandMotion) -> float:
     """Bound (m/rad) on how fast any point of a finger moves in the frame of the palm."""
     total, turn = 0.0, 1.0
     for j in range(len(hand.links)):
-        turn += hand.ratios[j]
+        turn += hand.ratios[0, j]
         total += hand.links[j] * abs(turn)
     return total
 

@@ -1,8 +1,9 @@
 """Where the links of a closing hand are, and how fast they move.
 
-The right finger's link j points in the direction psi + sum over the joints up to j of (offset + ratio (psi - first)),
-psi the base angle; the left finger is its mirror image. Time is the base angle of a finger that moves: both move at the
-same rate, one that has stalled stays at its angle. The whole hand may slide along by a velocity per radian of that time.
+A finger's link j points in the direction psi + sum over the joints up to j of (offset + ratio (psi - first)), from the
+palm line outward. Time is psi: the base angle of both fingers of a mirrored motion, in general the time in any unit, the
+base joint's offset and ratio making an angle of it. A finger that has stalled at a time stays as it was then. The whole
+hand may slide along by a velocity per unit of time.
 """
 
 from __future__ import annotations
@@ -27,9 +28,10 @@ SAMPLES = 20_001
 class HandMotion(NamedTuple):
     """A prescribed closing motion, lengths in m, angles in rad.
 
-    ``links`` from the base to the tip; joint j counts from straight and is at ``offsets[j] + ratios[j] (psi - first)``,
-    entry 0 is the base joint and is 0. The base slides by (vx, vy) per radian; ``last`` ends the motion. ``alone`` is where
-    a finger would end if the other were not there to be met; 0: they pass each other (``meeting``).
+    ``links`` from the base to the tip; ``offsets`` and ``ratios`` (2, links), right and left: joint j counts from straight
+    and is at ``offset + ratio (psi - first)``, the base joint at psi more than that. The base slides by (vx, vy) per
+    radian; ``last`` ends the motion. ``alone`` is where a finger would end if the other were not there to be met; 0: they
+    pass each other (``meeting``). ``mirrored``: both rows are equal, and fingers of one plane meet at ``last``.
     """
 
     half_palm: float
@@ -42,6 +44,7 @@ class HandMotion(NamedTuple):
     vx: float
     vy: float
     alone: float = 0.0
+    mirrored: bool = True
 
 
 def hand_motion(
@@ -68,12 +71,30 @@ def hand_motion(
     turns = np.zeros(rest) if ratios is None else np.asarray(ratios, dtype=float)
     if bends.shape != (rest,) or turns.shape != (rest,):
         raise ValueError(f"offsets and ratios need one entry for each of the {rest} distal joints")
+    offset, ratio = np.tile(np.append(0.0, bends), (2, 1)), np.tile(np.append(0.0, turns), (2, 1))
     motion = HandMotion(
         float(half_palm), lengths, float(half_thickness), float(first), float(limit),
-        np.concatenate([[0.0], bends]), np.concatenate([[0.0], turns]), float(velocity[0]), float(velocity[1]),
+        offset, ratio, float(velocity[0]), float(velocity[1]),
     )  # fmt: skip
     alone = _end_of_travel(motion, False)
     return motion._replace(last=_end_of_travel(motion, True), alone=alone) if colliding else motion._replace(last=alone)
+
+
+def free_motion(
+    half_palm: float, links: Floats, half_thickness: float, angles: Floats, rates: Floats,
+    velocity: tuple[float, float], duration: float, colliding: bool,
+) -> HandMotion:  # fmt: skip
+    """A motion from joint ``angles`` (2, links), right and left, at constant ``rates`` per unit of time, from time 0 on.
+
+    It ends after ``duration``, or where fingers that share a plane (``colliding``) meet before.
+    """
+    ratios = np.ascontiguousarray(rates, dtype=float).copy()
+    ratios[:, 0] -= 1.0
+    alike = bool(np.array_equal(angles[0], angles[1]) and np.array_equal(rates[0], rates[1]))
+    return HandMotion(
+        half_palm, links, half_thickness, 0.0, duration, np.ascontiguousarray(angles, dtype=float), ratios,
+        velocity[0], velocity[1], duration if colliding else 0.0, alike and not colliding,
+    )  # fmt: skip
 
 
 def _end_of_travel(motion: HandMotion, colliding: bool) -> float:
@@ -81,7 +102,7 @@ def _end_of_travel(motion: HandMotion, colliding: bool) -> float:
     h, low, high = motion.half_thickness, motion.first, motion.last
 
     def stopped(psi: Floats) -> NDArray[np.bool_]:
-        joints = motion.offsets + motion.ratios * (psi[:, None] - motion.first)
+        joints = motion.offsets[0] + motion.ratios[0] * (psi[:, None] - motion.first)
         angles = psi[:, None] + np.cumsum(joints, axis=1)
         x = motion.half_palm + np.cumsum(motion.links * np.cos(angles), axis=1)
         y = np.cumsum(motion.links * np.sin(angles), axis=1)
@@ -110,14 +131,14 @@ def place_links(hand: HandMotion, time: float, right: float, left: float, rows: 
     for finger in range(2):
         side = 1.0 if finger == 0 else -1.0
         stopped = right if finger == 0 else left
-        if finger == 1 and left == right:
+        if finger == 1 and hand.mirrored and left == right:
             _mirror_links(rows, count, base_x, hand.vx)
             return
         psi, rate = (time, 1.0) if stopped == MOVING else (stopped, 0.0)
         x, y, vx, vy, angle, turn = side * hand.half_palm, 0.0, hand.vx, hand.vy, psi, rate
         for j in range(count):
-            angle += hand.offsets[j] + hand.ratios[j] * (psi - hand.first)
-            turn += hand.ratios[j] * rate
+            angle += hand.offsets[finger, j] + hand.ratios[finger, j] * (psi - hand.first)
+            turn += hand.ratios[finger, j] * rate
             dx, dy = side * hand.links[j] * cos(angle), hand.links[j] * sin(angle)
             row = rows[1 + finger * count + j]
             row[0], row[1], row[2], row[3] = base_x + x, base_y + y, base_x + x + dx, base_y + y + dy

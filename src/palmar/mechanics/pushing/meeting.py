@@ -1,8 +1,8 @@
 """Where a finger ends when the other, with which it shares a plane, has stalled: the first angle at which they touch.
 
-Two fingers that move together meet on the axis. One that goes on alone passes the axis and ends where its links come
-within two half thicknesses of those at rest. No point of it moves faster than the finger is long times its turn, so
-turning by the gap over that never passes a touch; it stops where the gap is ``CLOSE``.
+Two fingers that move as mirror images meet on the axis. One that goes on alone passes the axis and ends where its links
+come within two half thicknesses of those at rest; so do two that move each in its own way. No point moves faster than the
+finger is long times its turn, so turning by the gap over that never passes a touch; it stops where the gap is ``CLOSE``.
 """
 
 from __future__ import annotations
@@ -60,13 +60,17 @@ def straight_travel_end(hand: ClosingHand, stalled: float) -> float:
 @compiled
 def travel_end(hand: HandMotion, time: float, right: float, left: float, links: Floats) -> float:
     """Angle at which the motion ends, seen from ``time``; ``right``, ``left``: stall angles or MOVING; moves ``links``."""
-    if hand.alone == 0.0 or (right == MOVING) == (left == MOVING):
+    moves = 1 if right == MOVING else 0, 1 if left == MOVING else 0
+    if hand.alone == 0.0 or moves[0] + moves[1] == 0 or (moves[0] + moves[1] == 2 and hand.mirrored):
         return hand.last
-    count, psi, turn, fastest, length = len(hand.links), time, 1.0, 0.0, 0.0
-    for j in range(count):
-        turn += hand.ratios[j]
-        fastest += abs(turn) * hand.links[j]
-        length += hand.links[j]
+    count, psi, fastest, length = len(hand.links), time, 0.0, hand.links.sum()
+    for finger in range(2):
+        turn = 1.0
+        for j in range(count):
+            turn += hand.ratios[finger, j]
+            fastest += moves[finger] * abs(turn) * hand.links[j]
+    if fastest == 0.0:
+        return hand.alone
     for _ in range(MOST_TURNS):
         place_links(hand, psi, right, left, links)
         gap = inf

@@ -51,13 +51,14 @@ def go_until_touched(
 
 def _bodies(hand: Hand, opening: float, radius: float) -> tuple[Floats, list[str]]:
     """Rows (ax, ay, bx, by, distance at which a centre touches) of palm, right and left links, and their names."""
-    straight = np.zeros(len(hand.finger_links))
+    straight = np.zeros((2, len(hand.finger_links)))
     motion = HandMotion(
         hand.half_palm, np.array(hand.finger_links), hand.half_thickness, opening, opening, straight, straight, 0.0, 0.0
     )
-    rows = np.zeros((2 * len(straight) + 1, 8))
+    count = len(hand.finger_links)
+    rows = np.zeros((2 * count + 1, 8))
     place_links(motion, opening, opening, opening, rows)
-    names = ["palm", *(f"{side}_{k + 1}" for side in ("right", "left") for k in range(len(straight)))]
+    names = ["palm", *(f"{side}_{k + 1}" for side in ("right", "left") for k in range(count))]
     return np.column_stack([rows[:, :4], radius + rows[:, 7]]), names
 
 

@@ -1,0 +1,60 @@
+"""From the behaviour that a case names to its reflex, with what it needs of the hand checked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from palmar.behaviours.close import Closing
+from palmar.behaviours.jointed import JointedReflex
+from palmar.behaviours.move_and_grab import MoveAndGrab
+from palmar.behaviours.move_while_closing import MoveWhileClosing
+from palmar.behaviours.palm_reflex import PalmReflex
+from palmar.behaviours.reflex import Advance, Drive, Reflex
+from palmar.behaviours.scoop import Scoop
+from palmar.behaviours.sensor_places import SensorPlaces, places_of
+from palmar.errors import NotCoveredError
+from palmar.models.behaviour import BehaviourName
+from palmar.models.case import Case
+
+
+def drive_of(case: Case) -> Drive:
+    """The fingers of a case's hand."""
+    return Drive(len(case.hand.finger_links), case.hand.finger_rate)
+
+
+def case_places(case: Case) -> SensorPlaces:
+    """Where the sensors of a case are."""
+    return places_of(case.sensors.stretches(case.hand), len(case.hand.finger_links))
+
+
+def reflex_of(case: Case) -> Reflex[Any]:
+    """The reflex of any behaviour but FOLLOW_POLICY, which needs a plan.
+
+    Raises NotCoveredError where the hand lacks a joint or a sensor that it needs.
+    """
+    name, given, drive = case.behaviour.name, case.behaviour, drive_of(case)
+    move = Advance(given.advance, given.speed, given.direction)
+    if name is BehaviourName.CLOSE:
+        return Closing(drive)
+    if name is BehaviourName.MOVE_AND_GRAB:
+        return MoveAndGrab(drive, move)
+    if name is BehaviourName.MOVE_WHILE_CLOSING:
+        return MoveWhileClosing(drive, move, given.first)
+    places = case_places(case)
+    if name is BehaviourName.JOINTED:
+        return _jointed(drive, places, given.preshape)
+    if not places.palm:
+        raise NotCoveredError(f'behaviour "{name.value}" needs a sensor on the palm: sensors.layout = "palm", say')
+    if name is BehaviourName.SCOOP:
+        return Scoop(drive, move, places)
+    if name is BehaviourName.PALM_REFLEX:
+        return PalmReflex(drive, places, move if given.advance > 0.0 else None, given.patience, given.delay)
+    raise NotCoveredError(f'behaviour "{name.value}" needs a plan')
+
+
+def _jointed(drive: Drive, places: SensorPlaces, preshape: float) -> JointedReflex:
+    if drive.joints != 2:
+        raise NotCoveredError(f'behaviour "jointed" is for fingers of two links, not {drive.joints}')
+    if not any((*places.right, *places.left)):
+        raise NotCoveredError('behaviour "jointed" needs sensors on the links: sensors.layout = "distributed", say')
+    return JointedReflex(drive, places, preshape)

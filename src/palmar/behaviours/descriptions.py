@@ -1,0 +1,65 @@
+"""What each behaviour does, in steps, and which parameters and sensors it has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from palmar.models.behaviour import BehaviourName
+
+
+@dataclass(frozen=True)
+class Description:
+    """One line, the steps in order, the fields of ``Behaviour`` that count, what it needs, and its section."""
+
+    summary: str
+    steps: tuple[str, ...]
+    parameters: tuple[str, ...]
+    needs: str
+    section: str
+
+
+DESCRIPTIONS: dict[BehaviourName, Description] = {
+    BehaviourName.CLOSE: Description(
+        "The hand stands still and closes.",
+        ("Both base joints close at the finger rate, the fingers straight.", "End when both are held up."),
+        (), "nothing", "3.3.1",
+    ),
+    BehaviourName.MOVE_AND_GRAB: Description(
+        "Advance with open fingers, then close.",
+        ("The arm goes for the time advance / speed, fingers open.", "Close."),
+        ("advance", "speed", "direction"), "an arm", "3.3.3",
+    ),
+    BehaviourName.MOVE_WHILE_CLOSING: Description(
+        "Advance while the fingers close, at first with open fingers if wanted.",
+        ("The arm goes over the first stretch, fingers open.", "It goes on to the end of the advance while they close.",
+         "Close."),
+        ("advance", "speed", "direction", "first"), "an arm", "3.3.3",
+    ),
+    BehaviourName.SCOOP: Description(
+        "Advance with open fingers until the palm feels something or the way is over, then close.",
+        ("The arm goes, fingers open, until the palm's bit or the end of the advance.", "Close."),
+        ("advance", "speed", "direction"), "an arm and a sensor on the palm", "3.3.3 and 3.4",
+    ),
+    BehaviourName.PALM_REFLEX: Description(
+        "Close once the palm feels something; without that, do not.",
+        ("Wait, or advance, until the palm's bit; end if the patience or the advance is over.",
+         "Wait for the delay.", "Close."),
+        ("advance", "speed", "direction", "patience", "delay"), "a sensor on the palm", "4.3 and 7.3",
+    ),
+    BehaviourName.JOINTED: Description(
+        "Each finger closes as the link that feels the object first tells it to.",
+        ("Both base joints close, the fingers straight, until a sensor fires.",
+         "If that is on a finger's proximal link or on the palm: its distal joint closes to contact, then its base joint.",
+         "If it is on a finger's distal link: its base joint stops, its distal joint curls to the preshape angle,"
+         " then its base joint closes.",
+         "End when both fingers are held up."),
+        ("preshape",), "fingers of two links with sensors", "5.2.3",
+    ),
+    BehaviourName.FOLLOW_POLICY: Description(
+        "Carry out the plan that palmar plan finds for a disk of uncertainty about the case's start.",
+        ("For each move: straight back, sideways, fingers to the opening, forward.",
+         "Approach until a sensor fires, and take the branch of what was felt.", "Close where it is certain to catch."),
+        ("uncertainty", "speed"), "an arm and sensors without dead zones; a disk", "3.4",
+    ),
+}  # fmt: skip
+"""By name, in the order in which they are listed."""

@@ -1,0 +1,61 @@
+"""What the hand does, as a case names it: a behaviour and its parameters."""
+
+from __future__ import annotations
+
+from enum import Enum
+from math import pi
+from typing import Annotated, Self
+
+from pydantic import Field, model_validator
+
+from palmar.models.quantity import LARGEST_LENGTH, Real, Unit, Value
+
+Way = Annotated[Real, Field(ge=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE]
+Duration = Annotated[Real, Field(ge=0.0, le=1000.0), Unit.SECOND]
+
+
+class BehaviourName(Enum):
+    """The reflexes and motions that a case can name."""
+
+    CLOSE = "close"
+    """Both fingers close from the open angle at the same rate, kept straight; the hand stands still."""
+    MOVE_AND_GRAB = "move_and_grab"
+    """Forward with open fingers for a given time, then close (section 3.3.3)."""
+    MOVE_WHILE_CLOSING = "move_while_closing"
+    """Forward while the fingers close, at first with open fingers if wanted (section 3.3.3)."""
+    SCOOP = "scoop"
+    """Forward with open fingers until the palm feels something or the way is over, then close."""
+    PALM_REFLEX = "palm_reflex"
+    """Wait, or advance, until the palm feels something; then close (sections 4.3 and 7.3)."""
+    JOINTED = "jointed"
+    """The reflex of the 4-jointed hand: which link feels the object first decides how a finger closes (section 5.2.3)."""
+    FOLLOW_POLICY = "follow_policy"
+    """Carry out the plan of ``palmar plan``: approach until a sensor fires, again if need be, then close (section 3.4)."""
+
+
+class Behaviour(Value):
+    """What the hand does; parameters that a behaviour does not have are ignored by it."""
+
+    name: BehaviourName = BehaviourName.CLOSE
+    advance: Way = 0.1
+    """How far the arm goes, at most."""
+    speed: Annotated[Real, Field(gt=0.0, le=1000.0), Unit.MILLIMETRE_PER_SECOND] = 0.1
+    """Of the arm."""
+    direction: Annotated[Real, Field(ge=-2.0 * pi, le=2.0 * pi), Unit.DEGREE] = 0.5 * pi
+    """In which it goes, from the palm line; 90 is straight ahead."""
+    first: Way = 0.0
+    """The part of the advance with open fingers, where the rest is with closing ones."""
+    delay: Duration = 0.0
+    """Between the palm's bit and closing."""
+    patience: Duration = 10.0
+    """How long a hand waits that does not advance."""
+    preshape: Annotated[Real, Field(ge=0.0, lt=pi), Unit.DEGREE] = Unit.DEGREE.to_si(20.0)
+    """Distal angle to curl to where the distal link felt the object."""
+    uncertainty: Annotated[Real, Field(gt=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE] = 0.02
+    """Radius of the disk about the case's start in which a plan takes the object's centre to be."""
+
+    @model_validator(mode="after")
+    def _first_within_advance(self) -> Self:
+        if self.first > self.advance:
+            raise ValueError("first_mm is a part of advance_mm and cannot be more")
+        return self
