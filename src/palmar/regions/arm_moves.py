@@ -101,7 +101,9 @@ def _certified(case: Case, arm: ArmMotion, tolerance: float | None) -> Region:
 def _sampled(case: Case, closure: Closure, arm: ArmMotion, tolerance: float | None) -> Region:
     sets = moving_sets(case, arm, tolerance or SPACING * case.hand.finger_length)
     radius = case.object.radius if isinstance(case.object, Disk) else 0.0
-    whole, flattening = (EMPTY, 0.0) if sets.centre.is_empty or not radius else grown(sets.centre, radius, 1e-3 * radius)
+    whole, flattening = (
+        (EMPTY, 0.0) if sets.centre.is_empty or not radius else grown(sets.centre, radius, 1e-3 * radius)
+    )
     return Region(
         model=Model.EXACT,
         closure=closure,

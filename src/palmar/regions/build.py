@@ -32,7 +32,13 @@ def build_region(
     ``tolerance`` (m): how far curves of the exact region may be flattened, or simulated starts be apart.
     """
     if case.behaviour.name is not BehaviourName.CLOSE:
-        raise NotCoveredError(f'behaviour.name = "{case.behaviour.name.value}": regions are those of closing')
+        if model is not Model.EXACT:
+            raise NotCoveredError(
+                f'behaviour.name = "{case.behaviour.name.value}": only the exact model has its region'
+            )
+        from palmar.regions.arm_moves import arm_region
+
+        return arm_region(case, closure, tolerance)
     if model is Model.PUBLISHED:
         return published_region(case, closure)
     from palmar.regions.exact import exact_region
