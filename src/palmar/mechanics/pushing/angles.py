@@ -1,4 +1,4 @@
-"""Cosine and sine of an angle, both at once and inlined: a quarter of the time of the library's, which kernels call often.
+"""Cosine and sine of an angle, both at once and inlined, in two thirds of the time that calls of the library's take.
 
 The angle is reduced to the nearest multiple of a quarter turn, in two parts so that nothing is lost, and what is left,
 at most an eighth of a turn, goes into the polynomials of fdlibm: right to about one unit in the last place for angles up

@@ -69,7 +69,7 @@ TOLERANCE, BATCH_TOLERANCE = 1e-7, 1e-6
 MOST_STEPS = 4000
 AFRESH = 0.6
 """Length of a stride after an event, in units of what the one that it ended would have had."""
-DEEPEST, ROWS_PER_TASK, MANY_STARTS = 3, 64, 1000
+DEEPEST, ROWS_PER_TASK, MANY_STARTS = 3, 64, 2000
 RANGE = 0.01
 """Part of ``TOUCH`` by which a contact is past its range when that is noticed."""
 AMBIGUOUS, CUT_SHORT = 1, 2
