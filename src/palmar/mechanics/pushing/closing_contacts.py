@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, sin
-
+from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.closing_motion import KEPT, LEFT, RIGHT, SEVERAL, THETA, TIME, TOUCHED, Bench, X, Y
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.contact_scan import touching_candidates
@@ -98,9 +97,8 @@ def settle(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale) ->
         most = 0.0
         for k in range(count):
             row = at.contacts[k]
-            gap = write_contact(
-                body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], cos(s[THETA]), sin(s[THETA]), row
-            )
+            c, sine = cosine_sine(s[THETA])
+            gap = write_contact(body, at.links, scale.skin, at.active[k], at.sides[k], s[X], s[Y], c, sine, row)
             if abs(gap) > max(100.0 * scale.error, MOST_SHIFT * scale.touch) or (gap > 0.0 and at.loads[k, 0] == 0.0):
                 continue
             lever = row[0] * row[3] - row[1] * row[2]

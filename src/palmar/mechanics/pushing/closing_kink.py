@@ -8,7 +8,7 @@ past it, where the search over all modes finds another one, or none: then the ob
 from __future__ import annotations
 
 from palmar.mechanics.pushing.closing_course import pose_after, twist_after
-from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, TIME, Bench, mode_twist, write_contacts
+from palmar.mechanics.pushing.closing_motion import LEFT, REST, RIGHT, TIME, Bench, mode_twist, write_contacts
 from palmar.mechanics.pushing.closing_stride import OVER, SHARE
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.crossing import next_point
@@ -37,6 +37,7 @@ def _margin(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h:
 @compiled
 def first_kink(hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: float, over: int) -> float:
     """Fraction of the stride at which its mode ends, given the first stage past that; 1 if that was deceptive."""
+    at.frame[3] = REST * REST
     level, a, b = -2.0 * OVER, SHARE[min(over, 5) - 1], SHARE[over]
     at_b = _margin(hand, body, at, count, skin, h, b)
     if at_b >= -OVER and b < 1.0:

@@ -2,20 +2,19 @@
 
 ``solve_motion`` tries every mode of every contact and finds all admissible motions. Within a step the mode stays
 the same, so ``mode_twist`` uses Newton's method in the mode of the last motion alone, and says how far the motion found
-is from being inadmissible; where it becomes so, all modes are tried again. ``kept_twist`` says where that can be spared.
-
-A limit surface turns with its object: contacts are written, and motions solved, along the object's axes; motions come
-back along the table's.
+is from being inadmissible; where it becomes so, all modes are tried again. ``closing_next`` says where that can be spared.
+A limit surface turns with its object: contacts are written, and motions solved, along the object's axes, not the table's.
 """
 
 from __future__ import annotations
 
-from math import cos, inf, sin
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.contact_solve import (
     CONTACT_WIDTH,
@@ -38,9 +37,9 @@ Integers = NDArray[np.int64]
 PASSES = 8
 LAST_CHANGE = 2e-5
 """Relative change of the motion at which Newton's pass, of quadratic convergence, is the last in a known mode."""
-REST, SOON = 5e-9, 0.1
-"""A pass is also the last if the next one would change the motion by less than REST: a change e announces C e^2, with the
-largest C = e' / e^2, doubled, of all pairs of passes in the stride that began with e < SOON."""
+REST, LOOSE, SOON = 5e-9, 0.2, 0.1
+"""A pass is also the last if the next one would change the motion by less than REST, LOOSE tolerances for a stage: a change
+e announces C e^2, with the largest C = e' / e^2, doubled, of all pairs of passes in the mode that began with e < SOON."""
 UNKNOWN = -1.0
 NONE, MANY = -2, -3
 """In place of an edge: no load; the loads are on more than three edges, or not known."""
@@ -60,7 +59,7 @@ class Bench(NamedTuple):
     the twists and margins of one stride, ``course`` its way between (``closing_course``), ``trend`` the rate of the twist
     at the state as far as known; ``pivot`` (on, x, y, rate) is what the object turns about where it turns with a link;
     ``branches`` are the alternatives still to be followed; ``log`` the events; ``frame`` cosine and sine of the axes that
-    the contacts are written along, and the square of how strongly Newton's passes converge in this stride, UNKNOWN below 0.
+    the contacts are written along, squares of how Newton's passes converge (UNKNOWN below 0) and of what they leave.
     """
 
     links: Floats
@@ -105,7 +104,7 @@ def bench(events: int) -> Bench:
         np.zeros(4),
         np.zeros((MOST_BRANCHES, STATE_WIDTH)),
         np.zeros((events, 3)),
-        np.zeros(3),
+        np.zeros(4),
         workspace(),
     )
 
@@ -117,7 +116,8 @@ def write_contacts(
 ) -> float:  # fmt: skip
     """Place the links, write the active contacts' rows and gaps, and return the largest speed of the hand at any of them."""
     place_links(hand, time, right, left, at.links)
-    speed, c, s = 0.0, cos(theta), sin(theta)
+    speed = 0.0
+    c, s = cosine_sine(theta)
     turned = body.surface.kind != UNIFORM_DISK and body.surface.kind != ELLIPSOID
     at.frame[0], at.frame[1] = (c, s) if turned else (1.0, 0.0)
     for k in range(count):
@@ -139,7 +139,7 @@ def to_object(at: Bench, x: float, y: float) -> tuple[float, float]:
 
 
 @inlined
-def _to_table(at: Bench, row: Floats) -> None:
+def to_table(at: Bench, row: Floats) -> None:
     """The first two entries of a motion -> along the table's axes."""
     c, s, x, y = at.frame[0], at.frame[1], row[0], row[1]
     row[0], row[1] = c * x - s * y, s * x + c * y
@@ -169,7 +169,7 @@ def full_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
                 at.loads[k, 0], at.loads[k, 1] = motions[0, 3 + 2 * k], motions[0, 4 + 2 * k]
             _note_edges(at, count)
     for m in range(number):
-        _to_table(at, motions[m])
+        to_table(at, motions[m])
     return number
 
 
@@ -254,28 +254,12 @@ def mode_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -
         if before < SOON * SOON:
             at.frame[2] = max(at.frame[2], 4.0 * here / (before * before))
         known, before = at.frame[2] >= 0.0 and here < SOON * SOON, here
-        if regular and (here <= LAST_CHANGE * LAST_CHANGE or (known and at.frame[2] * here * here <= REST * REST)):
+        if regular and (here <= LAST_CHANGE * LAST_CHANGE or (known and at.frame[2] * here * here <= at.frame[3])):
             _write_loads(at, count, a, b, c, la, lb, lc)
             motion[0], motion[1], motion[2] = x, y, w
-            _to_table(at, motion)
+            to_table(at, motion)
             return True, margin_left(contacts, count, rows, speed, a, b, c, la, lb, lc, x, y, w)
     return False, -1.0
-
-
-@compiled
-def kept_twist(body: Body, at: Bench, count: int, speed: float, guess: Triple) -> bool:
-    """Whether the last motion's mode has an admissible motion at the contacts written, and no other has; see mode_twist.
-
-    Without friction there is never another one. With a single contact there is none on an ellipsoid if a load along its
-    normal a, with either limit of friction, opens it: a_n > mu |a_t|.
-    """
-    if at.edges[0] < 0 or (count > 1 and body.friction > 0.0):
-        return False
-    moves, margin = mode_twist(body, at, count, speed, guess)
-    normal, tangent = at.space.rows[0], at.space.rows[1]
-    opens = normal[0] * normal[3] + normal[1] * normal[4] + normal[2] * normal[5]
-    drags = normal[0] * tangent[3] + normal[1] * tangent[4] + normal[2] * tangent[5]
-    return moves and margin >= 0.0 and opens > body.friction * abs(drags)
 
 
 @inlined

@@ -9,8 +9,8 @@ stalls, else both do. A finger that has stalled stays where it is, a rigid wall;
 Where Coulomb's law admits several motions, the one nearest to the last is followed and the others after it, up to
 ``DEEPEST`` such choices in a row; the worst end counts, and the start is flagged.
 
-Right to the tolerance (finger lengths per stride), but for contacts that came and went within ``closing_touch.FINEST``, and
-for the end pose of a polygon that escapes off the very tip of a line finger: the mechanics is discontinuous there.
+Right to the tolerance (finger lengths per stride), but for contacts that came and went within ``closing_touch.FINEST``,
+and for the end pose of a polygon that escapes off the very tip of a line finger: there the mechanics is discontinuous.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from palmar.mechanics.pushing import closing_end
 from palmar.mechanics.pushing.closing_contacts import look, look_again, settle_and_look
 from palmar.mechanics.pushing.closing_course import go_on
 from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
-from palmar.mechanics.pushing.closing_jam import UNBEARABLE, most_load, pinch, stall
+from palmar.mechanics.pushing.closing_jam import pinch, stall
 from palmar.mechanics.pushing.closing_kink import first_kink
 from palmar.mechanics.pushing.closing_motion import (
     DEPTH,
@@ -49,10 +49,9 @@ from palmar.mechanics.pushing.closing_motion import (
     X,
     Y,
     bench,
-    full_twist,
-    kept_twist,
     write_contacts,
 )  # fmt: skip
+from palmar.mechanics.pushing.closing_next import UNSOLVED, next_twist
 from palmar.mechanics.pushing.closing_stride import FIRST_STRIDE, LONGEST_ARC, stride, turns_along
 from palmar.mechanics.pushing.closing_touch import first_change, first_touch
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
@@ -60,6 +59,7 @@ from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
 from palmar.mechanics.pushing.meeting import travel_end
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, scale_of
+from palmar.mechanics.pushing.single_tables import tabulated
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]
@@ -69,11 +69,10 @@ TOLERANCE, BATCH_TOLERANCE = 1e-7, 1e-6
 MOST_STEPS = 4000
 AFRESH = 0.6
 """Length of a stride after an event, in units of what the one that it ended would have had."""
-DEEPEST = 3
-ROWS_PER_TASK = 64
+DEEPEST, ROWS_PER_TASK, MANY_STARTS = 3, 64, 2000
 RANGE = 0.01
 """Part of ``TOUCH`` by which a contact is past its range when that is noticed."""
-AMBIGUOUS, CUT_SHORT, UNSOLVED = 1, 2, 4
+AMBIGUOUS, CUT_SHORT = 1, 2
 """Flags: several motions were admissible somewhere; not all were followed; the search for one did not converge."""
 
 
@@ -111,9 +110,7 @@ def _branch(at: Bench, number: int, branches: int) -> int:
 
 
 @compiled
-def _cut(
-    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h: float, over: int
-) -> float:  # fmt: skip
+def _cut(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h: float, over: int) -> float:
     """Fraction of the stride, whose stages are filled, at which its mode ends or a contact begins or leaves its range."""
     part = first_kink(hand, body, at, count, scale.skin, h, over) if over < 7 else 1.0
     part = first_touch(hand, body, at, count, scale, h, part)
@@ -149,11 +146,8 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
         if s[TIME] >= last or (s[RIGHT] != MOVING and s[LEFT] != MOVING):
             return True, branches
         speed = write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
-        guess = s[VX], s[VY], s[OMEGA]
-        known = s[KEPT] > 0.0 and kept_twist(body, at, count, speed, guess)
-        number = 1 if known else full_twist(body, at, count, speed, guess)
-        if number <= 0 or (count > 1 and most_load(at, count) > UNBEARABLE):
-            s[FLAGS] = int(s[FLAGS]) | (UNSOLVED if number < 0 else 0)
+        number = next_twist(body, at, count, speed)
+        if number == 0:
             stall(hand, body, at, count, scale.skin)
             last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
             continue
@@ -279,8 +273,9 @@ def carry_all(
 ) -> tuple[NDArray[np.int8], Floats, NDArray[np.int8]]:  # fmt: skip
     """Batch: ``starts`` (N, 3) or (N, 2) -> outcome codes (N,), ends (N, 5) = x, y, theta, right, left, flags (N,).
 
-    Rows are independent, so the result does not depend on ``threads``.
+    Rows are independent: ``threads`` do not matter. Where MANY_STARTS are asked, single contacts are looked up.
     """
+    body = tabulated(body) if len(starts) >= MANY_STARTS and tolerance >= BATCH_TOLERANCE else body
     rows = np.zeros((len(starts), 3))
     rows[:, : starts.shape[1]] = starts
     codes, ends, flags = np.zeros(len(rows), np.int8), np.zeros((len(rows), 5)), np.zeros(len(rows), np.int8)

@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 from palmar.mechanics.pushing.closing_course import fit_course
 from palmar.mechanics.pushing.closing_motion import (
     LEFT,
+    LOOSE,
     OMEGA,
     RIGHT,
     THETA,
     TIME,
-    UNKNOWN,
     VX,
     VY,
     Bench,
@@ -35,7 +35,8 @@ from palmar.mechanics.pushing.closing_motion import (
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_solve import TIGHT
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of
-from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of
+from palmar.mechanics.pushing.polygon_contacts import TOUCH, Body, Scale, link_of
+from palmar.mechanics.pushing.single_contact import in_tables, single_twist
 
 Floats = NDArray[np.float64]
 FIRST_STRIDE, LONGEST_STRIDE, LONGEST_ARC, SHORTEST_STRIDE = 0.1, 0.5, 1.0, 1e-7
@@ -79,7 +80,7 @@ AHEAD = np.array(
 
 @inlined
 def stages(
-    hand: HandMotion, body: Body, at: Bench, count: int, skin: float, h: float
+    hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h: float
 ) -> tuple[bool, int]:  # fmt: skip
     """Fill the stages of a stride h from the state, the first being the state's own twist; and the mode's margins there.
 
@@ -88,7 +89,8 @@ def stages(
     """
     s, k = at.state, at.stages
     k[0, 0], k[0, 1], k[0, 2], k[0, 3] = s[VX], s[VY], s[OMEGA], 1.0
-    over, at.frame[2] = 7, UNKNOWN
+    over, at.frame[3] = 7, (LOOSE * TOUCH * scale.error / scale.touch) ** 2
+    tabulated = in_tables(body, at, count)
     for i in range(1, 7):
         x, y, theta = s[X], s[Y], s[THETA]
         vx, vy, omega = 0.0, 0.0, 0.0
@@ -99,8 +101,14 @@ def stages(
         if i == 1:
             step = SHARE[1] * h
             vx, vy, omega = vx + step * at.trend[0], vy + step * at.trend[1], omega + step * at.trend[2]
-        speed = write_contacts(hand, body, at, count, skin, s[TIME] + SHARE[i] * h, s[RIGHT], s[LEFT], x, y, theta)
-        moves, margin = mode_twist(body, at, count, speed, (vx, vy, omega))
+        speed = write_contacts(
+            hand, body, at, count, scale.skin, s[TIME] + SHARE[i] * h, s[RIGHT], s[LEFT], x, y, theta
+        )
+        moves, margin = False, 0.0
+        if tabulated:
+            moves, margin = single_twist(body, at, speed)
+        if not moves:
+            moves, margin = mode_twist(body, at, count, speed, (vx, vy, omega))
         if not moves:
             return False, over
         motion = at.space.motions[0]
@@ -139,7 +147,7 @@ def stride(hand: HandMotion, body: Body, at: Bench, count: int, scale: Scale, h:
     for c in range(count):
         base = max(base, abs(at.gaps[c]) if at.loads[c, 0] != 0.0 else 0.0)
     while True:
-        filled, over = stages(hand, body, at, count, scale.skin, h)
+        filled, over = stages(hand, body, at, count, scale, h)
         if not filled:
             if h <= SHORTEST_STRIDE:
                 for i in range(1, 7):

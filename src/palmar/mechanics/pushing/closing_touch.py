@@ -7,9 +7,11 @@ interval is left only where bounds on the closing speed (links not in touch) or 
 
 from __future__ import annotations
 
-from math import cos, inf, sin, sqrt
+from math import inf, sqrt
 
+from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.closing_course import pose_after
+from palmar.mechanics.pushing.closing_flight import in_flight, turn_to_touch
 from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, TIME, Bench
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_scan import further_gaps
@@ -85,6 +87,13 @@ def first_touch(
         free, near = gaps_after(hand, body, at, count, scale, inf, h, 0.0)
         if min(free, near) <= level:  # more touches than is known of
             return min(part, FINEST / h)
+    if in_flight(hand, at, count):
+        meets = turn_to_touch(hand, body, at, level + body.radius + hand.half_thickness + scale.skin) / h
+        if meets >= part:
+            return part
+        next_free, next_near = gaps_after(hand, body, at, count, scale, inf, h, meets)
+        if abs(min(next_free, next_near) - level) <= 0.4 * scale.touch:
+            return meets
     a, step = 0.0, _sure_step(free, near, speed, bend, h)
     before, at_before = 0.0, inf
     while a < part:
@@ -137,7 +146,8 @@ def first_change(hand: HandMotion, body: Body, at: Bench, count: int, slack: flo
 def _least_range(hand: HandMotion, body: Body, at: Bench, count: int, h: float, part: float) -> float:
     x, y, theta = pose_after(at, h, part)
     place_links(hand, at.state[TIME] + part * h, at.state[RIGHT], at.state[LEFT], at.links)
-    least, c, s = inf, cos(theta), sin(theta)
+    least = inf
+    c, s = cosine_sine(theta)
     for k in range(count):
         least = min(least, range_left(body, at.links, at.active[k], at.sides[k], x, y, c, s))
     return least

@@ -6,11 +6,12 @@ negative gap. Of a link farther away than the object's reach a lower bound of th
 
 from __future__ import annotations
 
-from math import cos, inf, sin, sqrt
+from math import inf, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.polygon_contacts import (
     BEGIN,
@@ -39,7 +40,7 @@ def touching_candidates(
 
     ``apart`` gets, for each link, the least gap of its other candidates, or less. ``pairs`` = links of a finger.
     """
-    c, s = cos(theta), sin(theta)
+    c, s = cosine_sine(theta)
     least, touching = inf, 0
     for link in range(2 * pairs + 1):
         gap, other, touching = _gaps_of(body, links, link, pairs, scale, x, y, c, s, found, 0, touch, found, touching)
@@ -58,7 +59,7 @@ def further_gaps(
     Links without an active contact are left out if ``apart`` says that they are farther off than ``far``; where there is
     one, a further candidate may begin right beside it. ``found`` is for scratch.
     """
-    c, s = cos(theta), sin(theta)
+    c, s = cosine_sine(theta)
     free, near = inf, inf
     for link in range(2 * pairs + 1):
         busy = False

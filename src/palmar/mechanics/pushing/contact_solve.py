@@ -146,11 +146,11 @@ def margin_left(
 
     A load l counts as 2 l / (1 + l^2), which changes its sign where the load does: at zero and at a pole, a jam.
     """
-    margin = _signed(la)
+    margin = signed(la)
     if b >= 0:
-        margin = min(margin, _signed(lb))
+        margin = min(margin, signed(lb))
     if c >= 0:
-        margin = min(margin, _signed(lc))
+        margin = min(margin, signed(lc))
     scale = 1.0 / (speed + abs(x) + abs(y) + abs(w) * _reach(contacts, count))
     for i in range(count):
         if a // 2 != i and b // 2 != i and c // 2 != i:
@@ -166,7 +166,8 @@ def margin_left(
 
 
 @inlined
-def _signed(load: float) -> float:
+def signed(load: float) -> float:
+    """A load, bounded: see ``margin_left``."""
     return 2.0 * load / (1.0 + load * load)
 
 

@@ -8,12 +8,13 @@ hand may slide along by a velocity per unit of time.
 
 from __future__ import annotations
 
-from math import cos, pi, sin
+from math import pi
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.compiled import compiled
 
 Floats = NDArray[np.float64]
@@ -139,7 +140,8 @@ def place_links(hand: HandMotion, time: float, right: float, left: float, rows: 
         for j in range(count):
             angle += hand.offsets[finger, j] + hand.ratios[finger, j] * (psi - hand.first)
             turn += hand.ratios[finger, j] * rate
-            dx, dy = side * hand.links[j] * cos(angle), hand.links[j] * sin(angle)
+            c, s = cosine_sine(angle)
+            dx, dy = side * hand.links[j] * c, hand.links[j] * s
             row = rows[1 + finger * count + j]
             row[0], row[1], row[2], row[3] = base_x + x, base_y + y, base_x + x + dx, base_y + y + dy
             row[4], row[5], row[6], row[7] = side * turn, vx, vy, hand.half_thickness

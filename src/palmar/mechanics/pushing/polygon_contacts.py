@@ -13,12 +13,13 @@ meets a polygon gets a skin of ``SKIN`` hand lengths: it makes the way of a corn
 
 from __future__ import annotations
 
-from math import cos, sin, sqrt
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, polygon_surface
 
@@ -37,7 +38,8 @@ MOST_ACTIVE = 12
 class Body(NamedTuple):
     """Vertices (V, 2) counter-clockwise about the reference point, rounding radius, reach, least width, friction.
 
-    ``edges`` (V, 3): direction (x, y) and length of the edge that begins at each vertex.
+    ``edges`` (V, 3): direction (x, y) and length of the edge that begins at each vertex. ``single``: ``single_tables``, if
+    they have been made.
     """
 
     vertices: Floats
@@ -47,6 +49,7 @@ class Body(NamedTuple):
     width: float
     friction: float
     surface: LimitSurface
+    single: Floats = np.empty((0, 8))
 
 
 def disk_body(radius: float, friction: float, surface: LimitSurface | None = None) -> Body:
@@ -112,7 +115,8 @@ def side_of(body: Body, links: Floats, code: int, x: float, y: float, theta: flo
     link, kind, index = code // 16384 // 3, code // 16384 % 3, code % 16384
     if kind != VERTEX:
         return 0.0
-    segment, c, s = links[link], cos(theta), sin(theta)
+    segment = links[link]
+    c, s = cosine_sine(theta)
     vx, vy = body.vertices[index, 0], body.vertices[index, 1]
     px, py = x + c * vx - s * vy - segment[0], y + s * vx + c * vy - segment[1]
     dx, dy = segment[2] - segment[0], segment[3] - segment[1]
