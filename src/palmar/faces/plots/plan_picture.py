@@ -11,11 +11,11 @@ from shapely import MultiPolygon, affinity
 from palmar.behaviours.policy import Approach, Close, Lost, Policy, approaches
 from palmar.faces.plan_record import sensor_name
 from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
+from palmar.faces.plots.facts import Fact, write_facts
 from palmar.faces.plots.hand import draw_hand, draw_object, finger_points
-from palmar.faces.plots.lettering import line_height, wrapped
-from palmar.faces.plots.region_picture import millimetre_ticks
-from palmar.faces.plots.sheet import MARGIN, Extent, Pad, Room, Sheet, sheet
-from palmar.faces.plots.style import HEADING_SIZE, SMALL_SIZE, TEXT_SIZE, Role
+from palmar.faces.plots.region_picture import ROOM, millimetre_ticks
+from palmar.faces.plots.sheet import MARGIN, Extent, sheet
+from palmar.faces.plots.style import Role
 from palmar.geometry.planar_set import areal
 from palmar.models.case import Case
 from palmar.models.objects import Disk
@@ -27,8 +27,6 @@ FELT = Band(Role.HELD, "where it may be once this sensor has fired", 3.0)
 OTHER = Band(Role.SMALLEST, "where it may be once another has", 2.5, dashes=(0, (2, 1)))
 REGION = Band(Role.CENTRE, "from here closing catches it for certain", 1.0)
 BANDS = (BELIEF, FELT, OTHER, REGION)
-FACTS = 56.0
-ROOM = Room(Pad(3.0, 11.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, FACTS, 0.0))
 LEAST = 1.5e-3
 """Beliefs thinner than this share of the picture are drawn that thick."""
 
@@ -45,7 +43,7 @@ def plan_picture(case: Case, plan: Plan) -> Figure:
             _draw_approach(axes, case, policy, sensor, extent)
         else:
             _draw_end(axes, case, policy, plan, extent)
-        _facts(page, axes, policy, sensor, plan)
+        write_facts(page, axes, _facts(policy, sensor, plan))
     legend(page, (MARGIN, page.box(page.panels[-1][0]).bottom - ROOM.outside.bottom), list(BANDS))
     return page.figure
 
@@ -118,21 +116,8 @@ def _draw_end(axes: Axes, case: Case, policy: Policy, plan: Plan, extent: Extent
     draw_object(axes, case.object, (middle.x, middle.y), fill=0.5)
 
 
-def _facts(page: Sheet, axes: Axes, policy: Policy, sensor: int | None, plan: Plan) -> None:
-    """What the move is, and what it leads to, in the column beside the panel."""
-    box = page.box(axes)
-    x, y = box.right + 5.0, box.top - 1.0
-    for name, value, role in _lines(policy, sensor, plan):
-        if name:
-            page.write((x, y), name, size=SMALL_SIZE, role=Role.DIMENSION, upright="top")
-            y -= line_height(SMALL_SIZE)
-        size = TEXT_SIZE if name else HEADING_SIZE
-        text = wrapped(value, FACTS - 7.0, size, bold=not name)
-        page.write((x, y), text, size=size, role=role, bold=not name, upright="top")
-        y -= (text.count("\n") + 1) * line_height(size) + 2.0
-
-
-def _lines(policy: Policy, sensor: int | None, plan: Plan) -> list[tuple[str, str, Role]]:
+def _facts(policy: Policy, sensor: int | None, plan: Plan) -> list[Fact]:
+    """What the move is, and what it leads to."""
     left, bottom, right, top = (1e3 * each for each in policy.belief.bounds)
     known = ("the object is known within", f"{right - left:.4g} mm across, {top - bottom:.4g} mm along", BELIEF.role)
     if isinstance(policy, Approach):

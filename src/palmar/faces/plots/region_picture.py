@@ -14,10 +14,11 @@ from shapely import MultiPolygon, box
 
 from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
 from palmar.faces.plots.dimensions import dimension, note, radius_dimension, text_fits
+from palmar.faces.plots.facts import FACTS, Fact, write_facts
 from palmar.faces.plots.hand import draw_hand, draw_object, finger_points, object_reach
-from palmar.faces.plots.lettering import line_height, millimetres, square_millimetres, wrapped
+from palmar.faces.plots.lettering import millimetres, square_millimetres
 from palmar.faces.plots.sheet import MARGIN, MM, Extent, Pad, Room, Sheet, per_paper_mm, sheet
-from palmar.faces.plots.style import FINE, HEADING_SIZE, SMALL_SIZE, TEXT_SIZE, Role
+from palmar.faces.plots.style import FINE, SMALL_SIZE, Role
 from palmar.geometry.planar_set import Circle, areal, inscribed_circle
 from palmar.geometry.planar_set import seen_from_object as from_object
 from palmar.models.case import Case
@@ -37,8 +38,6 @@ ERROR = Band(Role.LARGEST, "allowed error: the largest circle in the centre regi
 PALM = Band(Role.CENTRE, "the middle of the palm starts inside", 1.0)
 PALM_ERROR = replace(ERROR, words="allowed error: the largest circle in that region")
 
-FACTS = 54.0
-"""Width (mm) of the column of facts beside each panel."""
 ROOM = Room(Pad(3.0, 11.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, FACTS, 0.0))
 VISIBLE = 1e-3
 """Error bands below this share of the area are too thin to draw."""
@@ -180,13 +179,11 @@ def millimetre_ticks(axes: Axes) -> None:
 
 def _facts(page: Sheet, axes: Axes, case: Case, region: Region) -> None:
     """Closure, allowed error, area and guarantee, in the column beside the panel."""
-    box_on_paper = page.box(axes)
-    x, y = box_on_paper.right + 5.0, box_on_paper.top - 1.0
     how = "Without friction"
     if region.closure is Closure.FRICTIONAL and case.contact.friction > 0.0:
         how = f"With friction {case.contact.friction:.3g}"
     circle = region.allowed_error
-    facts = [("", how, Role.CAPTION)]
+    facts: list[Fact] = [("", how, Role.CAPTION)]
     if circle is None:
         facts.append(("nothing is caught", f"{region.reason}", Role.LOST))
     else:
@@ -195,11 +192,4 @@ def _facts(page: Sheet, axes: Axes, case: Case, region: Region) -> None:
         if region.certain is not None:
             facts.append(("of it certain", square_millimetres(region.certain.area), CERTAIN.role))
     facts.append((f"{region.model.value} model", region.guarantee.meaning, Role.CAPTION))
-    for name, value, role in facts:
-        if name:
-            page.write((x, y), name, size=SMALL_SIZE, role=Role.DIMENSION, upright="top")
-            y -= line_height(SMALL_SIZE)
-        size = TEXT_SIZE if name else HEADING_SIZE
-        text = wrapped(value, FACTS - 7.0, size, bold=role is not Role.CAPTION or not name)
-        page.write((x, y), text, size=size, role=role, bold=role is not Role.CAPTION or not name, upright="top")
-        y -= (text.count("\n") + 1) * line_height(size) + 2.0
+    write_facts(page, axes, facts)

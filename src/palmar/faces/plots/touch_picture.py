@@ -10,11 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
+from palmar.faces.plots.facts import write_facts
 from palmar.faces.plots.hand import draw_hand, draw_object, finger_points
-from palmar.faces.plots.lettering import line_height, wrapped
-from palmar.faces.plots.region_picture import FACTS, ROOM, millimetre_ticks
+from palmar.faces.plots.region_picture import ROOM, millimetre_ticks
 from palmar.faces.plots.sheet import MARGIN, MM, Extent, Sheet, sheet
-from palmar.faces.plots.style import HEADING_SIZE, HEAVY, SMALL_SIZE, TEXT_SIZE, Role
+from palmar.faces.plots.style import HEAVY, Role
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.sensors import Stretch
@@ -62,8 +62,6 @@ def _draw_sensor(axes: Axes, case: Case, stretch: Stretch, opening: float) -> No
 
 
 def _facts(page: Sheet, axes: Axes, here: Touch) -> None:
-    box = page.box(axes)
-    x, y = box.right + 5.0, box.top - 1.0
     facts = [
         ("", f"Fingers open to {degrees(here.opening):.3g} deg", Role.CAPTION),
         ("by touch", f"{1e4 * here.sensory.area:.4g} cm²", SENSORY.role),
@@ -71,11 +69,4 @@ def _facts(page: Sheet, axes: Axes, here: Touch) -> None:
         ("felt, of the width touched", f"{1e3 * here.felt:.4g} of {1e3 * here.touched:.4g} mm", Role.CAPTION),
         ("certain, of it in one run", f"{1e3 * here.good:.4g}, {1e3 * here.connected:.4g} mm", Role.CAPTION),
     ]
-    for name, value, role in facts:
-        if name:
-            page.write((x, y), name, size=SMALL_SIZE, role=Role.DIMENSION, upright="top")
-            y -= line_height(SMALL_SIZE)
-        size = TEXT_SIZE if name else HEADING_SIZE
-        text = wrapped(value, FACTS - 7.0, size, bold=not name)
-        page.write((x, y), text, size=size, role=role, bold=not name, upright="top")
-        y -= (text.count("\n") + 1) * line_height(size) + 2.0
+    write_facts(page, axes, facts)
