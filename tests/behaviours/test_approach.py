@@ -109,3 +109,9 @@ def test_few_corners_are_around_many() -> None:
     assert around(belief).covers(belief)
     assert len(around(belief).exterior.coords) <= 13
     assert around(belief).area < 1.5 * belief.area
+
+
+def test_a_place_is_proved_whatever_the_erosion_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A wrong set of places does not become a wrong proof."""
+    monkeypatch.setattr("palmar.behaviours.placing.shrunk", lambda region, uncertainty: region)
+    assert place(target(areal(box(0.0, 0.0, 1.0, 1.0))), box(0.3, 0.3, 1.2, 1.2)) is None

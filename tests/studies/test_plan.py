@@ -6,6 +6,7 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
+import shapely
 from shapely import Point, box
 
 from palmar.behaviours.policy import Approach, Close, approaches, is_guaranteed, leaves
@@ -14,7 +15,7 @@ from palmar.models.case import Case
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.sensors import SensorLayout, Sensors, Stretch
-from palmar.studies.plan import Plan, Rule, plan, planner_of
+from palmar.studies.plan import Plan, Rule, above, plan, planner_of
 from palmar.studies.plan_trial import Errors, Trial, drawn_starts, try_plan
 
 BED = Hand(palm_width=0.12, finger_links=(0.137, 0.107))
@@ -135,3 +136,22 @@ def test_a_plan_is_a_tree_of_places_that_can_be_gone_to() -> None:
     assert policy.distance > 0.0
     assert {each.sensor for each in policy.branches} <= {None, *range(len(found.stretches))}
     assert all(isinstance(each, Close) and each.place.margin > 0.0 for each in leaves(policy))
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_a_leaf_is_come_to_without_touching(number: int) -> None:
+    """Every place of a closing region that plans use lies above the hand as it comes up, or beside it."""
+    planner, _ = planner_of(case_of(SensorLayout.NONE, BED.model_copy(update={"finger_thickness": 0.025})))
+    opening = planner.openings[number]
+    places = drawn_starts(opening.target.region, 4000, number)
+    assert (places[:, 1] >= opening.profile.heights(places[:, 0]) - 1e-9).all()
+
+
+def test_places_under_an_open_finger_are_left_out_of_plans() -> None:
+    """A disk outside a finger that is open by 75 degrees, caught though it is by the closing motion, cannot be come to."""
+    case = case_of(SensorLayout.NONE, Hand(palm_width=0.12, finger_links=(0.244,), open=1.3), 0.02)
+    planner, _ = planner_of(case)
+    seen = planner.openings[0].profile
+    beyond = shapely.difference(shapely.box(seen.left, 0.0, seen.right, 0.5), above(seen, 1.0))
+    assert shapely.intersection(planner.openings[0].target.region, beyond).area < 1e-9
+    assert beyond.area > 0.01
