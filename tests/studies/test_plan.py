@@ -15,7 +15,8 @@ from palmar.models.case import Case
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.sensors import SensorLayout, Sensors, Stretch
-from palmar.studies.plan import Plan, Rule, above, plan, planner_of
+from palmar.regions.profile import above
+from palmar.studies.plan import Plan, Rule, plan, planner_of
 from palmar.studies.plan_trial import Errors, Trial, drawn_starts, try_plan
 
 BED = Hand(palm_width=0.12, finger_links=(0.137, 0.107))

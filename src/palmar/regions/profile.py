@@ -12,7 +12,10 @@ from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
+from shapely import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from palmar.models.hand import Hand
 from palmar.models.sensors import Stretch
@@ -195,3 +198,17 @@ def _joined(spans: list[Span], owners: list[int], flattening: float) -> list[Pie
 def _blur(slope: float, crossing: float, flattening: float) -> float:
     """How far from the arcs' two chords cross, whose slopes differ by ``crossing``: 2 e / sin of the angle; 0 for none."""
     return 2.0 * flattening * hypot(1.0, slope) * hypot(1.0, slope + crossing) / crossing if crossing > 0.0 else 0.0
+
+
+def above(seen: Profile, height: float) -> BaseGeometry:
+    """Centres (m) that the hand, coming straight up to where it is, has not touched: over the profile, or beside it."""
+    over = []
+    for piece in seen.pieces:
+        left, right = piece.points[0, 0], piece.points[-1, 0]
+        over.append(shapely.make_valid(Polygon([*piece.points, (right, height), (left, height)])))
+    beside = [
+        shapely.box(seen.left - height, 0.0, seen.left, height),
+        shapely.box(seen.right, 0.0, seen.right + height, height),
+    ]
+    rounded = shapely.union_all([LineString(each.points) for each in seen.pieces]).buffer(seen.flattening)
+    return shapely.union_all([*over, *beside]).difference(rounded)

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 from math import radians
 
-import shapely
-from shapely import LineString, Polygon, affinity
+from shapely import affinity
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.approach import Doubt
@@ -22,7 +21,7 @@ from palmar.models.objects import Disk
 from palmar.models.sensors import Stretch
 from palmar.models.support import SupportKind
 from palmar.regions.exact import exact_region
-from palmar.regions.profile import Profile, profile
+from palmar.regions.profile import above, profile
 
 OTHER_OPENINGS = tuple(radians(each) for each in (30.0, 60.0, 75.0))
 """Base angles (rad) tried beside the case's own."""
@@ -88,17 +87,3 @@ def opening_of(case: Case, stretches: tuple[Stretch, ...], angle: float, closure
     region = exact_region(opened, closure, COARSE * case.hand.finger_length).centre
     seen = profile(case.hand, case.object.radius, stretches, angle)
     return Opening(angle, seen, target(areal(region.intersection(above(seen, 10.0 * case.hand.finger_length)))))
-
-
-def above(seen: Profile, height: float) -> BaseGeometry:
-    """Centres (m) that the hand, coming straight up to where it is, has not touched: over the profile, or beside it."""
-    over = []
-    for piece in seen.pieces:
-        left, right = piece.points[0, 0], piece.points[-1, 0]
-        over.append(shapely.make_valid(Polygon([*piece.points, (right, height), (left, height)])))
-    beside = [
-        shapely.box(seen.left - height, 0.0, seen.left, height),
-        shapely.box(seen.right, 0.0, seen.right + height, height),
-    ]
-    rounded = shapely.union_all([LineString(each.points) for each in seen.pieces]).buffer(seen.flattening)
-    return shapely.union_all([*over, *beside]).difference(rounded)
