@@ -8,9 +8,11 @@ import pytest
 from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.closing_flight import turn_to_touch
 from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, THETA, TIME, X, Y, bench
+from palmar.mechanics.pushing.closing_steps import carry_all
 from palmar.mechanics.pushing.compiled import compiled
-from palmar.mechanics.pushing.hand_pose import MOVING, hand_motion, place_links
+from palmar.mechanics.pushing.hand_pose import MOVING, free_motion, hand_motion, place_links
 from palmar.mechanics.pushing.polygon_contacts import disk_body, polygon_body
+from palmar.models.outcome import Outcome
 
 
 @compiled
@@ -72,3 +74,22 @@ def test_turn_is_the_first_at_which_a_link_is_near(body, half_thickness):
             assert abs(gap(turn)) <= 1e-9
             met += 1
     assert met >= 10
+
+
+def test_a_motion_whose_time_is_not_the_base_angle_touches_all_the_same() -> None:
+    """The closing motion told as joint angles and rates from time 0 on, at twice the rate, ends every start alike."""
+    first, turn = 0.6, 2.2
+    closing = hand_motion(0.06, [0.244], first=first, limit=first + turn)
+    angles, rates = np.full((2, 1), first), np.full((2, 1), 2.0)
+    told = free_motion(0.06, closing.links, 0.0, angles, rates, (0.0, 0.0), 0.5 * (closing.last - first), False)
+    rng = np.random.default_rng(8)
+    starts = np.column_stack([rng.uniform(-0.2, 0.2, 300), rng.uniform(0.03, 0.26, 300), rng.uniform(0.0, 6.3, 300)])
+    for body in (
+        polygon_body([(-0.012, -0.008), (0.012, -0.008), (0.012, 0.008), (-0.012, 0.008)], 0.5),
+        disk_body(0.02, 0.5),
+    ):
+        codes, ends, _ = carry_all(closing, body, starts)
+        others, poses, _ = carry_all(told, body, starts)
+        assert np.array_equal(codes, others)
+        assert np.abs(poses[:, :2] - ends[:, :2]).max() < 1e-5
+        assert (codes != Outcome.MISSED.code).sum() > 100
