@@ -169,3 +169,30 @@ def test_a_trace_file_can_be_read_by_anyone(palmar, scoop, tmp_path):
     assert record["sensors"] == ["palm"]
     assert {len(row["bits"]) for row in record["rows"]} == {1}
     assert record["rows"][0]["object"] == pytest.approx([0.02, 0.1, 0.0])
+
+
+def test_region_of_a_behaviour_is_a_region_record(palmar, scoop, tmp_path):
+    out = tmp_path / "region.svg"
+    answer = palmar(
+        "behaviours", "region", str(scoop), "--tolerance", "60", "--tick", "100", "--out", str(out), "--json"
+    )
+    assert answer.record["guarantee"] == "sampled"
+    assert answer.record["area_m2"] > 0.01
+    assert answer.record["notes"][0].endswith("observed every 100 ms")
+    assert "<svg" in out.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (("--tick", "0"), "--tick"),
+        (("--behaviour", "scop"), "did you mean scoop"),
+        (("--tolerance", "-1"), "--tolerance"),
+        (("--out", "x.bmp"), "svg"),
+    ],
+)
+def test_region_of_a_behaviour_refuses_in_one_line(palmar, scoop, words, complaint):
+    answer = palmar("behaviours", "region", str(scoop), *words)
+    assert answer.status == 2
+    assert complaint in answer.err
+    assert answer.err.count("\n") == 1

@@ -275,3 +275,13 @@ def test_a_file_wins_over_a_shipped_name(tmp_path: Path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("testbed_table").write_text(SMALLEST.replace("38", "17"))
     assert open_case("testbed_table")[1].object.radius == 0.017
+
+
+def test_a_wall_is_no_nearer_than_the_open_fingers_reach() -> None:
+    hand = "[hand]\npalm_width_mm = 120\nopen_deg = 90\nfinger_links_mm = [137, 107]\n"
+    text = f"{hand}[object]\nradius_mm = 38\n[support]\n"
+    assert parse_case(text + "wall_mm = 244", "x").support.wall == pytest.approx(0.244)
+    with pytest.raises(InputError, match="wall_mm must be at least 244, as far as the open fingers reach"):
+        parse_case(text + "wall_mm = 243", "x")
+    with pytest.raises(InputError, match="wall_mm"):
+        parse_case(text + "wall_mm = -1", "x")

@@ -45,6 +45,8 @@ class Question:
     vertices: tuple[tuple[float, float], ...]
     friction: float
     start: tuple[float, float, float]
+    wall: float = math.inf
+    speed: float = 0.0
 
     @property
     def size(self) -> float:
@@ -58,8 +60,9 @@ class Question:
         joints = [[self.first, *self.offsets], [math.pi, *(np.add(self.offsets, np.multiply(self.ratios, rest)))]]
         clock = np.array([self.first, math.pi])
         return Hand(
-            self.half_palm, self.links, self.half_thickness, self.crossing, clock=clock, joints=np.array(joints)
-        )
+            self.half_palm, self.links, self.half_thickness, self.crossing, clock=clock, joints=np.array(joints),
+            wall=self.wall, speed=self.speed,
+        )  # fmt: skip
 
     @property
     def motion(self) -> HandMotion:
@@ -67,7 +70,7 @@ class Question:
         return hand_motion(
             self.half_palm, self.links, self.half_thickness, first=self.first, offsets=self.offsets, ratios=self.ratios,
             colliding=not self.crossing,
-        )  # fmt: skip
+        )._replace(wall=self.wall, vy=self.speed)  # fmt: skip
 
     @property
     def thing(self) -> Object:
@@ -84,7 +87,7 @@ class Question:
         """Whether the event-to-event kernel takes it too."""
         straight = not any(self.offsets) and not any(self.ratios)
         thin = self.half_thickness == 0.0 or self.friction == 0.0
-        return not self.vertices and straight and thin
+        return not self.vertices and straight and thin and self.wall == math.inf and self.speed == 0.0
 
     def moved(self, x: float, y: float, theta: float) -> Question:
         """The same from a start a little aside."""
@@ -144,6 +147,23 @@ def questions(number: int, seed: int) -> list[Question]:
     """So many random questions."""
     rng = np.random.default_rng(seed)
     return [_question(rng) for _ in range(number)]
+
+
+def before_a_wall(question: Question, rng: np.random.Generator) -> Question:
+    """The question with a wall, no nearer than the open fingers reach; in two of three the object rests on it."""
+    hand = question.hand
+    reach = float(links_at_start(hand)[:, [1, 3]].max()) + question.half_thickness
+    top = _top(question)
+    wall = max(reach, top) + float(rng.uniform(0.0, 0.5))
+    x, y, theta = question.start
+    moved = replace(question, wall=wall, start=(x, y + wall - top, theta)) if rng.random() < 2.0 / 3.0 else question
+    return replace(moved, wall=wall) if clearance(question, moved.start) > 1e-3 else replace(question, wall=wall)
+
+
+def _top(question: Question) -> float:
+    if not question.vertices:
+        return question.start[1] + question.radius
+    return float(placed(np.array(question.vertices), np.array(question.start))[:, 1].max())
 
 
 def _question(rng: np.random.Generator) -> Question:

@@ -25,10 +25,10 @@ import numpy as np
 from .slow_contacts import Thing
 from .slow_links import Motion
 from .slow_model import Hand, Numerics, Object, Run, core, disk_support, end_of_travel, fastest_end, polygon_support
-from .slow_stepping import MET, STALLED, TOUCHED, TRAVELLED, Control, travel
+from .slow_stepping import HALTED, MET, STALLED, TOUCHED, TRAVELLED, Control, travel
 from .slow_verdict import judge, overlaps
 
-EVENTS = {TOUCHED: "touch", STALLED: "stall", TRAVELLED: "end of travel", MET: "met"}
+EVENTS = {HALTED: "halt", TOUCHED: "touch", STALLED: "stall", TRAVELLED: "end of travel", MET: "met"}
 COARSE = Numerics()
 FINE = Numerics(step=2.5e-4, eps=2e-5, stiffness=2e8, stall=2e3, rings=12, farthest=2.5e-4, rounding=2.5e-5)
 
@@ -80,6 +80,8 @@ def run_fingers(hand: Hand, thing: Object, friction: float, start: np.ndarray, n
         end_of_travel(lengths, clock, directions, half),
         half,
         hand.crossing,
+        hand.wall / unit,
+        hand.speed / unit,
     )
     rounding = numerics.rounding if len(vertices) else 0.0
     vertices = core(vertices, rounding) if len(vertices) else vertices
@@ -98,7 +100,7 @@ def run_fingers(hand: Hand, thing: Object, friction: float, start: np.ndarray, n
     scale = np.array([unit, unit, 1.0])
     pose = start / scale
     path, events = np.zeros((20000, 6)), np.zeros((100, 3))
-    bodies = 2 * len(lengths) + 1
+    bodies = 2 * len(lengths) + (2 if hand.wall < math.inf else 1)
     links, loads = np.zeros((bodies, 4)), np.zeros(bodies)
     clocks, states, steps, unsolved = travel(
         Thing(thing.radius / unit, vertices, rounding, points, np.asarray(weights, float), *law),

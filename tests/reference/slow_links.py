@@ -19,13 +19,16 @@ class Motion(NamedTuple):
     last: float  # clock at the end of travel
     half_thickness: float
     crossing: bool
+    wall: float
+    speed: float  # of the whole hand along y
 
 
 @njit(error_model="numpy")
 def place_links(motion, clocks, running, step, ends, rates):
-    """Fill the segments and the velocities of their ends, with the clocks that run one step ahead."""
+    """Fill the segments and the velocities of their ends, with the clocks that run one step ahead; the arm has the third."""
     count = len(motion.lengths)
     ends[0, 0], ends[0, 1], ends[0, 2], ends[0, 3] = -motion.half_palm, 0.0, motion.half_palm, 0.0
+    rates[0, 1], rates[0, 3] = 0.0, 0.0
     for finger in range(2):
         mirror, row, at = 1.0 - 2.0 * finger, 0, clocks[finger] + step * running[finger]
         while row < len(motion.clock) - 2 and motion.clock[row + 1] <= at:
@@ -43,6 +46,32 @@ def place_links(motion, clocks, running, step, ends, rates):
             x, y, rate_x, rate_y = x + cos, y + sin, rate_x - sin * turn, rate_y + cos * turn
             ends[body, 2], ends[body, 3] = mirror * x, y
             rates[body, 2], rates[body, 3] = mirror * rate_x, rate_y
+    shift(ends, rates, 2 * count + 1, motion.speed * (clocks[2] + step * running[2]), motion.speed * running[2])
+    if motion.wall < math.inf:
+        give_way(motion, ends, rates)
+
+
+@njit(error_model="numpy")
+def shift(ends, rates, bodies, way, speed):
+    """Move the hand along y."""
+    for body in range(bodies):
+        ends[body, 1] += way
+        ends[body, 3] += way
+        rates[body, 1] += speed
+        rates[body, 3] += speed
+
+
+@njit(error_model="numpy")
+def give_way(motion, ends, rates):
+    """Move the whole hand back from the wall by as much as the end that is farthest ahead is beyond it, and add the wall."""
+    bodies = 1 + 2 * len(motion.lengths)
+    most, rate = 0.0, 0.0
+    for body in range(1, bodies):
+        beyond = ends[body, 3] + motion.half_thickness - motion.wall
+        if beyond > most:
+            most, rate = beyond, rates[body, 3]
+    shift(ends, rates, bodies, -most, -rate)
+    ends[bodies, 0], ends[bodies, 1], ends[bodies, 2], ends[bodies, 3] = 50.0, motion.wall, -50.0, motion.wall
 
 
 @njit(error_model="numpy")

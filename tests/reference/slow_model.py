@@ -10,7 +10,11 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Hand:
-    """Half the palm, links from the base to the tip, and optionally a table of relative joint angles (k, links)."""
+    """Half the palm, links from the base to the tip, and optionally a table of relative joint angles (k, links).
+
+    A wall (m from the palm at the start) keeps its place; the hand gives way to it, and else goes ahead by
+    ``speed`` (m) for each unit of the clock.
+    """
 
     half_palm: float
     links: tuple[float, ...]
@@ -19,6 +23,8 @@ class Hand:
     open_angle: float = 0.0
     clock: np.ndarray | None = None
     joints: np.ndarray | None = None
+    wall: float = math.inf
+    speed: float = 0.0
 
     def table(self) -> tuple[np.ndarray, np.ndarray]:
         """Clock values (k) and absolute link directions (k, links) of the right finger; straight unless given."""
@@ -63,7 +69,7 @@ class Run:
     pose: np.ndarray
     clocks: np.ndarray
     states: np.ndarray
-    loads: np.ndarray  # normal forces on the palm, the right and the left links
+    loads: np.ndarray  # normal forces on the palm, the right and the left links, the wall if there is one
     links: np.ndarray  # final segments, same order
     events: list[tuple[float, str, int]]
     path: np.ndarray  # (steps kept, 6): time, x, y, theta, clock of the right and of the left finger

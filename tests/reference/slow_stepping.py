@@ -12,7 +12,7 @@ from .slow_contacts import Links, Sum, add_disk_contacts, add_polygon_contacts
 from .slow_links import fingers_meet, place_links
 
 MOVING, STALLED, TRAVELLED, MET = range(4)  # of a finger
-TOUCHED = 9  # of a body, in the list of events
+HALTED, TOUCHED = 8, 9  # of the arm, of a body, in the list of events
 
 
 class Control(NamedTuple):
@@ -178,6 +178,15 @@ def stop(states, running, finger, state, events, time):
 def loads_too_high(motion, control, forces, step, states, running, events, time):
     """Whether a moving finger's load is above the limit; it stalls if that is so in the shortest step."""
     over, count = False, len(motion.lengths)
+    if running[2] > 0.0 and motion.speed != 0.0 and motion.wall < math.inf:
+        most = 0.0
+        for body in range(2 * count + 1):
+            most = max(most, forces[body])
+        if most > control.stall:
+            if step <= control.stall_step:
+                running[2] = 0.0
+                note(events, time, HALTED, 2)
+            return True
     for finger in range(2):
         load = 0.0
         for link in range(count):
@@ -208,14 +217,15 @@ def travel(thing, motion, control, pose, path, events, ends, latest):
     these counts the others).
     """
     count = len(motion.lengths)
-    bodies = 2 * count + 1
+    bodies = len(latest)
     thickness, touched, unused = np.zeros(bodies), np.zeros(bodies), np.zeros((bodies, 4))
     for body in range(bodies):
-        thickness[body] = thing.rounding + (motion.half_thickness if body > 0 else 0.0)
+        thickness[body] = thing.rounding + (motion.half_thickness if 0 < body <= 2 * count else 0.0)
     links = Links(ends, np.zeros((bodies, 4)), np.zeros((bodies, 4)), thickness)
     out = Sum(np.zeros(3), np.zeros((3, 3)), np.ones(1), np.zeros(bodies))
     spare = Sum(np.zeros(3), np.zeros((3, 3)), np.ones(1), np.zeros(bodies))
-    clocks, states, running = np.zeros(2), np.zeros(2, np.int64), np.zeros(2)
+    clocks, states, running = np.zeros(3), np.zeros(2, np.int64), np.zeros(3)
+    running[2] = 1.0
     for finger in range(2):
         clocks[finger], running[finger] = motion.clock[0], 1.0
     velocity, before, change = np.zeros(3), np.zeros(3), np.zeros(3)
@@ -260,6 +270,7 @@ def travel(thing, motion, control, pose, path, events, ends, latest):
             if latest[body] > 0.0 and touched[body] == 0.0:
                 touched[body] = 1.0
                 note(events, time, TOUCHED, body)
+        clocks[2] += step * running[2]
         for finger in range(2):
             clocks[finger] += step * running[finger]
             if running[finger] > 0.0 and clocks[finger] >= motion.last - 1e-11:
@@ -270,4 +281,4 @@ def travel(thing, motion, control, pose, path, events, ends, latest):
             min(control.step, step * max(0.5, min(2.0, 0.8 * control.farthest / max(moved, 1e-300)))),
         )
     place_links(motion, clocks, running, 0.0, ends, unused)
-    return clocks, states, steps, unsolved
+    return clocks[:2], states, steps, unsolved

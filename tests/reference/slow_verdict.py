@@ -30,6 +30,11 @@ def thicknesses(hand: Hand) -> np.ndarray:
     return np.r_[0.0, np.full(2 * len(hand.links), hand.half_thickness)]
 
 
+def own_links(hand: Hand, run: Run) -> np.ndarray:
+    """The final segments without the wall, which is no part of the hold."""
+    return run.links[: 2 * len(hand.links) + 1]
+
+
 def links_at_start(hand: Hand) -> np.ndarray:
     """Segments of the palm and of both fingers at the first clock value."""
     angles = hand.table()[1][0]
@@ -47,6 +52,8 @@ def overlaps(hand: Hand, thing: Object, pose: np.ndarray) -> bool:
         shape, reach = Point(pose[:2]), thing.radius - hair
     else:
         shape, reach = Polygon(placed(np.asarray(thing.vertices, float), pose)).buffer(-hair), 0.5 * hair
+    if shape.bounds[3] + (reach if thing.radius > 0.0 else 0.0) > hand.wall:
+        return True
     return any(
         shape.distance(LineString(segment.reshape(2, 2))) < reach + half
         for segment, half in zip(links_at_start(hand), thicknesses(hand), strict=True)
@@ -58,7 +65,7 @@ def final_contacts(hand: Hand, thing: Object, run: Run) -> tuple[np.ndarray, np.
     reach, points, normals = REACH * sum(hand.links), [], []
     rounding = run.rounding if len(thing.vertices) else 0.0
     world = placed(core(np.asarray(thing.vertices, float), rounding), run.pose) if len(thing.vertices) else None
-    for segment, half in zip(run.links, thicknesses(hand) + rounding, strict=True):
+    for segment, half in zip(own_links(hand, run), thicknesses(hand) + rounding, strict=True):
         line = LineString(segment.reshape(2, 2))
         pairs = []  # (foot on the link's axis, nearest point of the object's core)
         for point in run.pose[None, :2] if world is None else world:
@@ -115,7 +122,7 @@ def enclosed(hand: Hand, thing: Object, run: Run) -> bool:
     shape = placed(np.asarray(thing.vertices, float), np.array([0.0, 0.0, run.pose[2]]))
     if len(shape):
         shape = shape.mean(axis=0) + shrink * (shape - shape.mean(axis=0))
-    for segment, half in zip(run.links, thicknesses(hand), strict=True):
+    for segment, half in zip(own_links(hand, run), thicknesses(hand), strict=True):
         ends = segment.reshape(2, 1, 2)
         swept = MultiPoint((ends - shape).reshape(-1, 2)).convex_hull if len(shape) else LineString(ends[:, 0])
         obstacles.append(swept.buffer(shrink * (half + thing.radius), 64))
@@ -142,4 +149,5 @@ def judge(hand: Hand, thing: Object, friction: float, run: Run) -> str:
         return "jammed"
     if enclosed(hand, thing, run):
         return "caged"
-    return "escaped" if any(what == "touch" for _, what, _ in run.events) else "missed"
+    own = 2 * len(hand.links)
+    return "escaped" if any(what == "touch" and who <= own for _, what, who in run.events) else "missed"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import asin, atan2, hypot, sqrt
+from math import asin, atan2, hypot, pi, sqrt
 
 import numpy as np
 import pytest
@@ -10,12 +10,18 @@ from shapely import LineString, Point, affinity
 
 from palmar.behaviours.close import Closing
 from palmar.behaviours.move_and_grab import MoveAndGrab
+from palmar.behaviours.move_while_closing import MoveWhileClosing
 from palmar.behaviours.reflex import Advance, Drive
+from palmar.errors import NotCoveredError
 from palmar.faces.plots.hand import finger_points
+from palmar.mechanics.pushing.closing_case import straight_motion
+from palmar.mechanics.pushing.resting import slider_of
+from palmar.mechanics.pushing.slider import slider_body
 from palmar.models.case import Case
 from palmar.models.case_file import parse_case, with_layout
 from palmar.models.motion import Command
 from palmar.models.outcome import Outcome
+from palmar.regions.moving import ArmMotion, caught
 from palmar.worlds.planar.bits import Sensing
 from palmar.worlds.planar.feedback import FeedbackWorld, feedback_world
 from palmar.worlds.planar.stepping import stepping_world
@@ -25,8 +31,10 @@ LINE = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\n"
 THICK = f'{LINE}finger_thickness_mm = 25\nfingers = "colliding"\n'
 DISK = "[object]\nradius_mm = 38\n[contact]\nfriction = 0.7\n"
 BOX = '[object]\nshape = "polygon"\nvertices_mm = [[-30, -20], [30, -20], [30, 20], [-30, 20]]\n'
+WALL = "[support]\nwall_mm = 300\n"
 CASES = {name: parse_case(text) for name, text in (
     ("line disk", LINE + DISK), ("thick disk", THICK + DISK), ("line box", LINE + BOX), ("thick box", THICK + BOX),
+    ("disk and wall", LINE + DISK + WALL), ("box and wall", LINE + BOX + WALL),
 )}  # fmt: skip
 REST = (0.0, 0.0)
 
@@ -213,3 +221,36 @@ def test_whatever_the_commands_the_hand_never_enters_the_object(name: str, massi
                     LineString(finger_points(case.hand, world.angles[side], left=side == 1)), dx, dy
                 )
                 assert finger.distance(Point(x, y)) >= apart - 1e-7
+
+
+def test_moving_against_a_wall_ends_as_in_the_batch_kernel() -> None:
+    case = parse_case(LINE + DISK.replace("0.7", "0.3") + "[support]\nwall_mm = 300\n", "wall")
+    arm = ArmMotion(0.05, 0.08)
+    starts = np.random.default_rng(8).uniform([-0.3, 0.06, 0.0], [0.3, 0.262, 0.0], (16, 3))
+    body = slider_body(slider_of(case.object, case.support), case.contact.friction)
+    expected = caught(straight_motion(case.hand, case.support.wall), body, starts, arm)
+    drive = Drive(2, case.hand.finger_rate)
+    speed = arm.per_radian * case.hand.finger_rate
+    for start, held in zip(starts, expected, strict=True):
+        world = feedback_world(case, tuple(start), tick=0.05)
+        run(world, MoveWhileClosing(drive, Advance(1.0, speed, 0.5 * pi), arm.first))
+        assert world.outcome().caught == held
+        y = world.carriage.palm_ahead(world.angles)
+        assert y == pytest.approx(case.palm_ahead(*world.angles, world.carriage.arm[1]), abs=1e-12)
+    assert 2 < expected.sum() < 16
+
+
+def test_what_is_held_is_not_carried_into_the_wall() -> None:
+    case = parse_case(LINE + DISK + "[support]\nwall_mm = 250\n", "wall")
+    world = feedback_world(case, (0.0, 0.1, 0.0))
+    run(world, Closing(Drive(2, case.hand.finger_rate)))
+    assert world.outcome().caught
+    still = (0.0, 0.0)
+    for _ in range(100):
+        world.act(Command(still, still, (0.0, 0.2)), 0.02)
+    assert world.pose[1] <= 0.25 - 0.038 + 1e-9
+
+
+def test_an_object_that_stays_needs_no_wall() -> None:
+    with pytest.raises(NotCoveredError, match="wall_mm"):
+        feedback_world(CASES["disk and wall"], (0.0, 0.1, 0.0), massive=True)

@@ -88,6 +88,7 @@ def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any
         "allowed_error": _circle(region.allowed_error, from_object),
         **({} if region.outer is None else {"outer": coordinates(view(region.outer)), "band_m2": region.band}),
         **({} if region.certain is None else _simulated(region, view(region.certain))),
+        **({} if region.resting is None else {"resting_m": region.resting}),
         "flattening_m": region.flattening,
         "reason": region.reason,
         "notes": list(region.notes),

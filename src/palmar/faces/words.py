@@ -69,11 +69,20 @@ def region_rows(region: Region) -> list[Row]:
         ("area of the object's centre", f"{1e4 * region.area:.4g} cm2"),
         ("allowed position error", f"{1e3 * circle.radius:.1f} mm about ({x:.1f}, {y:.1f}) mm"),
         *_certain_rows(region),
+        *resting_rows(region),
         ("hold at the end", region.closure.value),
         ("model", region.model.value),
         ("guarantee", f"{region.guarantee.value}: {region.guarantee.meaning}"),
         ("curves flattened within", f"{1e3 * region.flattening:.2g} mm"),
     ]
+
+
+def resting_rows(region: Region) -> list[Row]:
+    """Where along a wall an object may rest to be caught."""
+    if region.resting is None:
+        return []
+    spans = ", ".join(f"{1e3 * low:.1f} to {1e3 * high:.1f} mm" for low, high in region.resting)
+    return [("resting on the wall", f"x from {spans}" if spans else "caught from nowhere along it")]
 
 
 def _certain_rows(region: Region) -> list[Row]:

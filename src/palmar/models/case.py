@@ -8,6 +8,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
+from palmar.geometry.finger_reach import finger_reach
 from palmar.models.behaviour import Behaviour
 from palmar.models.contact import Contact
 from palmar.models.hand import Hand
@@ -49,6 +50,28 @@ class Case(Value):
     def _sensors_on_the_hand(self) -> Self:
         self.sensors.stretches(self.hand)
         return self
+
+    @model_validator(mode="after")
+    def _fingers_before_the_wall(self) -> Self:
+        wall, hand = self.support.wall, self.hand
+        if wall is not None:
+            reach = finger_reach(hand.finger_links, (hand.open,), hand.half_thickness)
+            if wall < reach * (1.0 - 1e-12):
+                raise ValueError(
+                    f"support.wall_mm must be at least {1e3 * reach:.6g}, as far as the open fingers reach"
+                )
+        return self
+
+    def palm_ahead(self, right: Sequence[float], left: Sequence[float], told: float = 0.0) -> float:
+        """Where along y (m) the palm is: where the arm is ``told`` to be, or as far back as a wall keeps the fingers.
+
+        ``right``, ``left``: joint angles (rad). The wrist gives way to the wall (assumption 7 of section 2.1).
+        """
+        if self.support.wall is None:
+            return told
+        hand = self.hand
+        reach = max(finger_reach(hand.finger_links, each, hand.half_thickness) for each in (right, left))
+        return min(told, self.support.wall - reach)
 
     def corners(self) -> Iterator[Case]:
         """Every combination of the ranges' ends, as cases without ranges (just this case if it has none)."""

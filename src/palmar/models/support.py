@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from palmar.models.quantity import Point, Real, Unit, Value
+from palmar.models.quantity import LARGEST_LENGTH, Point, Real, Unit, Value
 
 
 class SupportKind(Enum):
@@ -35,3 +35,5 @@ class Support(Value):
     pressure: Pressure = Pressure.UNIFORM
     pressure_centre: Annotated[Point, Unit.MILLIMETRE] = (0.0, 0.0)
     """Offset of the centre of pressure from the object's centroid, in the object's frame."""
+    wall: Annotated[Real | None, Field(gt=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE] = None
+    """A wall ahead, parallel to the palm, at this distance from it at the start; it stays where it is. Absent = none."""

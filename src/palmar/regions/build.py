@@ -31,13 +31,17 @@ def build_region(
     ``orientations``: first and last (rad) at which a polygon is to be caught, else that of the case's start.
     ``tolerance`` (m): how far curves of the exact region may be flattened, or simulated starts be apart.
     """
-    if case.behaviour.name is not BehaviourName.CLOSE:
+    walled = case.support.wall is not None
+    if case.behaviour.name is not BehaviourName.CLOSE or walled:
         if model is not Model.EXACT:
-            raise NotCoveredError(
-                f'behaviour.name = "{case.behaviour.name.value}": only the exact model has its region'
-            )
+            what = "support.wall_mm" if walled else f'behaviour.name = "{case.behaviour.name.value}"'
+            raise NotCoveredError(f"{what}: only the exact model has its region")
+        if orientations is not None and orientations[0] != orientations[1]:
+            raise NotCoveredError("--theta: regions of moving arms and before a wall are for one orientation")
         from palmar.regions.arm_moves import arm_region
 
+        if orientations is not None:
+            case = case.model_copy(update={"start": case.start.model_copy(update={"theta": orientations[0]})})
         return arm_region(case, closure, tolerance)
     if model is Model.PUBLISHED:
         return published_region(case, closure)

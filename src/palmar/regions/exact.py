@@ -43,6 +43,8 @@ def exact_region(
     """
     if case.support.kind is not SupportKind.TABLE:
         raise NotCoveredError('support.kind = "free": the exact region is for objects on a table')
+    if case.support.wall is not None:
+        raise NotCoveredError("support.wall_mm: this needs a region without a wall")
     settled = settle(case, closure)
     tolerance = tolerance or FLATTENING * case.hand.finger_length
     if settled.ranges:

@@ -21,8 +21,8 @@ from shapely import MultiPolygon, affinity
 
 from palmar.geometry.planar_set import areal
 from palmar.mechanics.pushing.closing_case import straight_motion
-from palmar.mechanics.pushing.closing_steps import BATCH_TOLERANCE, carry_all
-from palmar.mechanics.pushing.hand_pose import HandMotion
+from palmar.mechanics.pushing.closing_steps import BATCH_TOLERANCE, carry_all, carry_halting
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
 from palmar.mechanics.pushing.polygon_contacts import Body
 from palmar.mechanics.pushing.resting import slider_of
 from palmar.mechanics.pushing.slider import moved_poses, slider_body
@@ -32,6 +32,8 @@ from palmar.regions.boundary_search import Box, Nodes, all_near, nodes_inside
 from palmar.regions.closing_sampled import COARSE, cells, corners_inside
 
 Floats = NDArray[np.float64]
+NANOMETRES = 9
+"""Digits to which the ways of arms that a wall stops are told apart."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +56,7 @@ class MovingSets:
 def moving_sets(case: Case, arm: ArmMotion, spacing: float) -> MovingSets:
     """Positions of the object's frame, at the case's orientation, that are caught; starts ``spacing`` (m) apart."""
     slider = slider_of(case.object, case.support)
-    body, motion = slider_body(slider, case.contact.friction), straight_motion(case.hand)
+    body, motion = slider_body(slider, case.contact.friction), straight_motion(case.hand, case.support.wall)
     carried = 0
 
     def inside(x: Floats, y: Floats) -> NDArray[np.bool_]:
@@ -74,14 +76,21 @@ def moving_sets(case: Case, arm: ArmMotion, spacing: float) -> MovingSets:
 
 def caught(motion: HandMotion, body: Body, starts: Floats, arm: ArmMotion) -> NDArray[np.bool_]:
     """Whether each start (N, 3) of the centre of pressure, in the hand frame at the start, is caught."""
-    poses, valid = starts, np.ones(len(starts), dtype=np.bool_)
-    if arm.first > 0.0:
-        codes, ends, _ = carry_all(still(motion, arm.first), body, starts, tolerance=BATCH_TOLERANCE)
-        valid = (codes != Outcome.INVALID.code) & (codes != Outcome.UNDECIDED.code)
-        poses = ends[:, :3] - np.array([0.0, arm.first, 0.0])
-    closing = motion._replace(vy=arm.per_radian)
-    codes, _, _ = carry_all(closing, body, poses, tolerance=BATCH_TOLERANCE)
-    found: NDArray[np.bool_] = valid & (codes <= Outcome.CAGED.code)
+    if arm.first == 0.0:
+        return _held(motion._replace(vy=arm.per_radian), body, starts)
+    codes, ends, _, halts = carry_halting(still(motion, arm.first), body, starts, tolerance=BATCH_TOLERANCE)
+    found: NDArray[np.bool_] = (codes != Outcome.INVALID.code) & (codes != Outcome.UNDECIDED.code)
+    ways = np.where(halts == MOVING, 1.0, halts) * arm.first
+    for way in np.unique(ways.round(NANOMETRES)):
+        some = np.flatnonzero(found & (ways.round(NANOMETRES) == way))
+        closing = motion._replace(vy=arm.per_radian, wall=motion.wall - float(way))
+        found[some] = _held(closing, body, ends[some, :3] - np.array([0.0, way, 0.0]))
+    return found
+
+
+def _held(motion: HandMotion, body: Body, starts: Floats) -> NDArray[np.bool_]:
+    codes, _, _ = carry_all(motion, body, starts, tolerance=BATCH_TOLERANCE)
+    found: NDArray[np.bool_] = codes <= Outcome.CAGED.code
     return found
 
 

@@ -47,6 +47,8 @@ class Region:
     """First and last orientation (rad) of the object for which the region holds; None: any."""
     spacing: float | None = None
     """Of the simulated starts (m)."""
+    resting: tuple[tuple[float, float], ...] | None = None
+    """Before a wall: intervals of x (m) from which an object that rests on it is caught."""
 
     @property
     def area(self) -> float:

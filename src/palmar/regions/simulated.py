@@ -59,7 +59,7 @@ def simulated_region(case: Case, closure: Closure, orientations: Orientations | 
     thetas = _thetas(low, high)
     core = _certain(case, low, high)
     sets = simulated_sets(case, orientations, spacing, core)
-    whole, flattening = _whole(sets.centre, case.object, thetas)
+    whole, flattening = covered_from(sets.centre, case.object, thetas)
     apart = degrees(thetas[1] - thetas[0]) if len(thetas) > 1 else 0.0
     spread = f", at {sets.orientations} orientations {apart:.3g} deg apart" if apart else ""
     if sets.different < sets.orientations:
@@ -125,7 +125,7 @@ def _thetas(low: float, high: float) -> NDArray[np.float64]:
     return np.linspace(low, high, steps + 1)[: steps if full else steps + 1]
 
 
-def _whole(centre: MultiPolygon, thing: Object, thetas: NDArray[np.float64]) -> tuple[MultiPolygon, float]:
+def covered_from(centre: MultiPolygon, thing: Object, thetas: NDArray[np.float64]) -> tuple[MultiPolygon, float]:
     """What the objects that start in the region cover, and its flattening (m)."""
     if centre.is_empty:
         return EMPTY, 0.0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
 from pathlib import Path
@@ -12,11 +11,12 @@ from cyclopts import App, Parameter
 
 from palmar.behaviours.descriptions import DESCRIPTIONS
 from palmar.errors import InputError
-from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, numbers, progress, show
+from palmar.faces.cli.behaviour_options import Layout, Massive, Named, Number, named, with_behaviour, within
+from palmar.faces.cli.behaviour_region import region
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.texts import table, titled
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case
-from palmar.models.case_file import with_layout
 from palmar.models.quantity import file_key, unit_of
 from palmar.models.shipped import open_case
 
@@ -24,9 +24,8 @@ if TYPE_CHECKING:
     from palmar.studies.run_behaviour import BehaviourRun
 
 app = App(name="behaviours")
+app.command(region)
 Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
-Number = Annotated[str, Parameter(allow_leading_hyphen=True)]
-NAMES = tuple(each.value for each in BehaviourName)
 
 
 @app.default
@@ -44,7 +43,7 @@ def describe(
     json: AsJson = False,
 ) -> None:
     """What a behaviour does, step by step, its parameters in a case file with their defaults, and what it needs."""
-    chosen = _named(name, "NAME")
+    chosen = named(name, "NAME")
     known = DESCRIPTIONS[chosen]
     parameters = [_parameter(each) for each in known.parameters]
     lines = [f"{chosen.value}: {known.summary}", ""]
@@ -63,21 +62,18 @@ def describe(
 def run_one(
     case: CaseName,
     *,
-    behaviour: Annotated[str | None, Parameter(help="Instead of the case's, with its parameters.")] = None,
+    behaviour: Named = None,
     start: Annotated[Text, Parameter(help="X_MM,Y_MM[,THETA_DEG]; else the case's start.")] = None,
-    sensors: Annotated[
-        str | None, Parameter(help="Instead of the case's: none, palm, tips, distributed, full, or PART[,PART...].")
-    ] = None,
-    massive: Annotated[
-        bool | None,
-        Parameter(help="While only the arm moves, touch does not move the object but stops the arm; else as usual."),
-    ] = None,
+    sensors: Layout = None,
+    massive: Massive = None,
     tick: Annotated[Number, Parameter(help="Time between two observations in ms.")] = "5",
     longest: Annotated[Number, Parameter(help="Cut it off after so many seconds.")] = "600",
     missed: Annotated[Number, Parameter(help="Share of touches that a sensor never sees.")] = "0",
     false_rate: Annotated[Number, Parameter(help="How often a second a sensor fires without a touch.")] = "0",
     seed: Annotated[int, Parameter(help="Of the sensors' faults.")] = 0,
-    out: Annotated[Path | None, Parameter(help="Also keep the run: json, csv; or draw it: svg, pdf, png.")] = None,
+    out: Annotated[
+        Path | None, Parameter(help="Also keep the run: json, csv; or draw it: svg, pdf, png; or film it: gif.")
+    ] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
@@ -89,21 +85,18 @@ def run_one(
     if out is not None:
         known_ending(out)
     name, given = open_case(case)
-    given = given if sensors is None else with_layout(given, sensors, "--sensors")
-    if behaviour is not None:
-        chosen = _named(behaviour, "--behaviour")
-        given = given.model_copy(update={"behaviour": given.behaviour.model_copy(update={"name": chosen})})
+    given = with_behaviour(given, behaviour, sensors)
     place = _place(given, start)
-    seconds = 1e-3 * _within("--tick", tick, 1.0, 1000.0)
+    seconds = 1e-3 * within("--tick", tick, 1.0, 1000.0)
     if not 0 <= seed < 2**32:
         raise InputError("--seed", str(seed), f"must be from 0 to {2**32 - 1}")
     faults = Sensing(
-        given.sensors.displacement, _within("--missed", missed, 0.0, 1.0),
-        _within("--false-rate", false_rate, 0.0, 1000.0), seed,
+        given.sensors.displacement, within("--missed", missed, 0.0, 1.0),
+        within("--false-rate", false_rate, 0.0, 1000.0), seed,
     )  # fmt: skip
     if given.behaviour.name is BehaviourName.FOLLOW_POLICY:
         progress("planning")
-    most = _within("--longest", longest, 0.0, 3600.0)
+    most = within("--longest", longest, 0.0, 3600.0)
     done = run_behaviour(given, place, Circumstances(seconds, faults, massive, most))
     if out is not None:
         write_trace(out, done)
@@ -115,7 +108,7 @@ def run_one(
 def replay(
     trace: Annotated[Path, Parameter(help="A json or csv file that palmar behaviours run wrote.", show_default=False)],
     *,
-    out: Annotated[Path | None, Parameter(help="Write it anew: json, csv, svg, pdf or png.")] = None,
+    out: Annotated[Path | None, Parameter(help="Write it anew: json, csv, svg, pdf, png or gif.")] = None,
     json: AsJson = False,
 ) -> None:
     """Tell and draw a run again from its file."""
@@ -156,14 +149,6 @@ def _short(text: str) -> str:
     return re.sub(r"\d+\.\d{2,}", lambda found: f"{float(found[0]):.1f}", text.replace("_", " "))
 
 
-def _named(text: str, option: str) -> BehaviourName:
-    if text not in NAMES:
-        close = difflib.get_close_matches(text, NAMES, n=1)
-        hint = f"did you mean {close[0]}?" if close else f"must be one of {', '.join(NAMES)}"
-        raise InputError(option, repr(text[:60]), hint)
-    return BehaviourName(text)
-
-
 def _parameter(name: str) -> tuple[str, float]:
     """A parameter's key in a case file and its default in the file's unit."""
     field = Behaviour.model_fields[name]
@@ -177,10 +162,3 @@ def _place(case: Case, start: str | None) -> tuple[float, float, float]:
     values = numbers(start, "--start", (2, 3), "X_MM,Y_MM[,THETA_DEG]")
     theta = math.radians(values[2]) if len(values) == 3 else case.start.theta
     return 1e-3 * values[0], 1e-3 * values[1], theta
-
-
-def _within(option: str, text: str, low: float, high: float) -> float:
-    value = number(text, option)
-    if not low <= value <= high:
-        raise InputError(option, text[:60], f"must be from {low:g} to {high:g}")
-    return value

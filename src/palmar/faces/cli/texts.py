@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, slope_row
+from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, resting_rows, slope_row
 from palmar.models.case import Case
 from palmar.regions.region import Region
 from palmar.studies.closure import ClosureAnswer
@@ -29,6 +29,7 @@ def region_text(region: Region) -> str:
     """The answer of `palmar region CASE`."""
     if region.reason is not None:
         lines = [f"Nothing is caught ({region.closure.value}): {region.reason}."]
+        lines += [f"{name}: {value}." for name, value in resting_rows(region)]
     else:
         lines = [table(region_rows(region))]
     return "\n".join(lines + notes(region.notes))

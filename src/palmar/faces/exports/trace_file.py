@@ -1,4 +1,4 @@
-"""A run of a behaviour as a file, and back: JSON (SI) or CSV (mm and degrees) for programs, a drawing for people."""
+"""A run of a behaviour as a file, and back: JSON (SI) or CSV (mm, degrees) for programs, drawings and films for people."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from palmar.faces.trace_record import read_record, whole_record
 from palmar.studies.run_behaviour import BehaviourRun
 
 DRAWN = (".svg", ".pdf", ".png")
-ENDINGS = (".json", ".csv", *DRAWN)
+ENDINGS = (".json", ".csv", ".gif", *DRAWN)
 LARGEST_FILE = 200_000_000
 NOTE = "# "
 """Begins the CSV's first lines: everything but the rows, as one line of JSON."""
@@ -38,6 +38,11 @@ def write_trace(path: Path, done: BehaviourRun) -> None:
         from palmar.faces.plots.trace_picture import trace_picture
 
         save(trace_picture(done), path)
+        return
+    if ending == ".gif":
+        from palmar.faces.plots.trace_film import write_trace_film
+
+        write_trace_film(path, done)
         return
     record = finite(whole_record(done))
     text = json.dumps(record, allow_nan=False) if ending == ".json" else _csv(record)

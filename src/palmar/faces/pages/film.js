@@ -19,7 +19,7 @@ function placeAt(t) {
   const span = film.times[high] - film.times[low];
   const share = span > 0 ? Math.min((t - film.times[low]) / span, 1) : 0;
   const mix = (rows) => rows[low].map((value, i) => value + share * (rows[high][i] - value));
-  return { index: share < 1 ? low : high, pose: mix(film.poses), fingers: mix(film.fingers) };
+  return { index: share < 1 ? low : high, pose: mix(film.poses), fingers: mix(film.fingers), palm: mix(film.palm)[0] };
 }
 
 const number = (value, digits) => {
@@ -28,7 +28,8 @@ const number = (value, digits) => {
 };
 
 function draw() {
-  const { index, pose: [x, y, turn], fingers: [right, left] } = placeAt(now);
+  const { index, pose: [x, y, turn], fingers: [right, left], palm } = placeAt(now);
+  get("hand").setAttribute("transform", `translate(0 ${-palm})`);
   get("object").setAttribute("transform", `translate(${x} ${-y}) rotate(${-turn})`);
   get("right").setAttribute("transform", `translate(${film.half_palm} 0) rotate(${-right})`);
   get("left").setAttribute("transform", `translate(${-film.half_palm} 0) scale(-1 1) rotate(${-left})`);

@@ -47,13 +47,14 @@ def film_page(film: Scene) -> str:
 
 
 def _data(film: Scene) -> dict[str, object]:
-    """Everything that changes with time: s, mm, degrees; fingers right and left."""
+    """Everything that changes with time: s, mm, degrees; fingers right and left; the palm's height."""
     places = np.column_stack((MM * film.poses[:, :2], np.degrees(film.poses[:, 2])))
     return {
         "half_palm": MM * film.case.hand.half_palm,
         "times": [float(f"{each:.9g}") for each in film.times[:-1]] + [film.duration],
         "poses": _short(places),
         "fingers": _short(np.degrees(film.fingers)),
+        "palm": _short(MM * np.array([[film.palm_at(time)] for time in film.times])),
         "contacts": [_short(MM * np.array(each).reshape(-1, 2)) for each in film.contacts],
     }
 
@@ -82,6 +83,7 @@ def _drawing(film: Scene) -> str:
         f'aria-label="The hand closing on the object, seen from above; lengths in mm">',
         *_grid(extent, (left, right), (low, high)),
         f'<line class="axis" x1="0" x2="0" y1="{-low:.6g}" y2="{-high:.6g}"/>',
+        *_wall(film, (left, right), high),
         f"<g {at}>{_outline(film, 'start')}</g>",
         f'<polyline class="way" points="{way}"/>',
         f'<g id="object" {at}>{_outline(film, "object")}{_mark(film)}</g>',
@@ -106,6 +108,16 @@ def _grid(extent: Extent, across: tuple[float, float], upright: tuple[float, flo
     return [
         *parts,
         f'<text class="units" x="{right - edge:.6g}" y="{-high:.6g}" dy="1.3em" text-anchor="end">x, y in mm</text>',
+    ]
+
+
+def _wall(film: Scene, across: tuple[float, float], high: float) -> list[str]:
+    """What is behind the wall, if there is one."""
+    if film.case.support.wall is None:
+        return []
+    (left, right), wall = across, MM * film.case.support.wall
+    return [
+        f'<rect class="wall" x="{left:.6g}" y="{-high:.6g}" width="{right - left:.6g}" height="{high - wall:.6g}"/>'
     ]
 
 
@@ -139,9 +151,10 @@ def _fingers(film: Scene) -> str:
     body += "".join(f'<circle class="joint" cx="{_mm(each)}" data-r="4" r="0"/>' for each in joints)
     right, left = film.fingers[0]
     return (
+        f'<g id="hand" transform="translate(0 {_mm(-film.palm_at(0.0))})">'
         f'<line class="palm" x1="{-base:.6g}" x2="{base:.6g}"/>'
         f'<g id="left" transform="translate({-base:.6g} 0) scale(-1 1) rotate({-degrees(left):.6g})">{body}</g>'
-        f'<g id="right" transform="translate({base:.6g} 0) rotate({-degrees(right):.6g})">{body}</g>'
+        f'<g id="right" transform="translate({base:.6g} 0) rotate({-degrees(right):.6g})">{body}</g></g>'
     )
 
 

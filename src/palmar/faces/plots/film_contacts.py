@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.faces.plots.hand import finger_points
+from palmar.faces.plots.hand import finger_points, object_reach
 from palmar.geometry.polygon import turned
 from palmar.models.case import Case
 from palmar.models.objects import Disk
@@ -38,14 +38,19 @@ def _touching(body: str, psi: Floats, result: Simulation) -> NDArray[np.bool_]:
 
 
 def _feet(case: Case, body: str, pose: Floats, fingers: Floats) -> list[Place]:
-    """The points of one part of the hand that lie on the object."""
-    hand = case.hand
+    """The points of one part of the hand, or of the wall, that lie on the object."""
+    hand, height = case.hand, case.palm_ahead(fingers[:1].tolist(), fingers[1:].tolist())
     name, _, part = body.partition("_")
     if name in SIDES:
         points = finger_points(hand, (fingers[SIDES.index(name)],), left=name == "left")
+        points = points + np.array([0.0, height])
         ends, half = points[[0, -1]] if part != "tip" else points[[-1, -1]], hand.half_thickness
+    elif name == "wall":
+        assert case.support.wall is not None
+        x, side, height = float(pose[0]), object_reach(case.object), case.support.wall
+        ends, half = np.array([[x - side, height], [x + side, height]]), 0.0
     else:
-        ends, half = np.array([[-hand.half_palm, 0.0], [hand.half_palm, 0.0]]), 0.0
+        ends, half = np.array([[-hand.half_palm, height], [hand.half_palm, height]]), 0.0
     if isinstance(case.object, Disk):
         pairs = [(_foot(ends, pose[:2]), pose[:2])]
     else:

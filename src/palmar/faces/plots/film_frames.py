@@ -16,7 +16,7 @@ from matplotlib.transforms import Affine2D
 from numpy.typing import NDArray
 
 from palmar.faces.plots.film_scene import Scene, angle_words, place_words, ticks
-from palmar.faces.plots.hand import JOINT_LEVEL, OBJECT_LEVEL, draw_finger, draw_object, draw_palm
+from palmar.faces.plots.hand import JOINT_LEVEL, OBJECT_LEVEL, draw_finger, draw_object, draw_palm, draw_wall
 from palmar.faces.plots.sheet import MARGIN, MM, Pad, Room, Sheet, per_paper_mm, sheet
 from palmar.faces.plots.strokes import CENTRE_LINE, disc, stroke
 from palmar.faces.plots.style import FINE, HEADING_SIZE, NORMAL, SMALL_SIZE, TEXT_SIZE, Role
@@ -87,6 +87,8 @@ def _still(axes: Axes, film: Scene) -> None:
     """Axis of symmetry, where the object started, and the way of its centre."""
     low, high = axes.get_ylim()
     stroke(axes, [(0.0, low), (0.0, high)], Role.GHOST, level=0.0, dashes=CENTRE_LINE)
+    if film.case.support.wall is not None:
+        draw_wall(axes, film.case.support.wall)
     x, y, turn = film.poses[0]
     draw_object(axes, film.case.object, (x, y), turn, ghost=True, mark=False, level=0.5)
     if film.duration:
@@ -102,10 +104,10 @@ class _Moving:
         self.right = _made(axes, lambda: draw_finger(axes, hand, (0.0,)))
         self.left = _made(axes, lambda: draw_finger(axes, hand, (0.0,), left=True))
         (self.gone,) = _made(axes, lambda: stroke(axes, [(0.0, 0.0)], Role.SMALLEST, level=GONE_LEVEL, width=NORMAL))
-        palm = _made(axes, lambda: draw_palm(axes, hand))
+        self.palm = _made(axes, lambda: draw_palm(axes, hand))
         most = max(len(each) for each in film.contacts)
         self.dots = [_dot(axes, (0.0, 0.0), CONTACT_SIZE, Role.FORCE, CONTACT_LEVEL) for _ in range(most)]
-        every = [*self.thing, *palm, *self.left, *self.right, self.gone, *self.dots]
+        every = [*self.thing, *self.palm, *self.left, *self.right, self.gone, *self.dots]
         self.artists = sorted(every, key=lambda each: float(each.get_zorder()))
         for artist in every:
             artist.set_animated(True)
@@ -115,8 +117,10 @@ class _Moving:
         film, base = self.film, MM * self.film.case.hand.half_palm
         (x, y, turn), (right, left) = film.at(time)
         self._place(self.thing, Affine2D().rotate(turn).translate(MM * x, MM * y))
-        self._place(self.right, Affine2D().rotate_around(base, 0.0, right))
-        self._place(self.left, Affine2D().rotate_around(-base, 0.0, -left))
+        height = MM * film.palm_at(time)
+        self._place(self.palm, Affine2D().translate(0.0, height))
+        self._place(self.right, Affine2D().rotate_around(base, 0.0, right).translate(0.0, height))
+        self._place(self.left, Affine2D().rotate_around(-base, 0.0, -left).translate(0.0, height))
         self.gone.set(data=MM * np.vstack((film.poses[film.times < time, :2], (x, y))).T)
         points = film.contacts[film.index(time)]
         for k, dot in enumerate(self.dots):

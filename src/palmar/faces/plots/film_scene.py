@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.faces.plots.film_contacts import contacts
-from palmar.faces.plots.hand import finger_points
+from palmar.faces.plots.hand import WALL_ROOM, finger_points
 from palmar.faces.plots.sheet import MM, Extent
 from palmar.geometry.polygon import area_centroid
 from palmar.models.case import Case
@@ -35,7 +35,14 @@ VERDICTS = {
     Outcome.INVALID: "No start: it overlaps the open hand",
     Outcome.UNDECIDED: "Undecided: the bound on events was reached",
 }
-_DONE = {"touch": "touches", "leave": "leaves", "stall": "stalls", "stick": "sticks", "slide": "slides"}
+_DONE = {
+    "touch": "touches",
+    "leave": "leaves",
+    "stall": "stalls",
+    "stick": "sticks",
+    "slide": "slides",
+    "halt": "halts",
+}
 
 
 @dataclass(frozen=True)
@@ -111,7 +118,15 @@ class Scene:
         points = np.concatenate([finger_points(hand, (psi,)) for psi in self.fingers.ravel()])
         points = np.abs(points) + hand.half_thickness
         side, top = points.max(axis=0)
-        return Extent(min(-side, low[0]), min(-hand.half_thickness, low[1]), max(side, high[0]), max(top, high[1]))
+        bottom = min(self.palm_at(time) for time in self.times) - hand.half_thickness
+        if case.support.wall is not None:
+            top = (1.0 + WALL_ROOM) * case.support.wall - WALL_ROOM * bottom
+        return Extent(min(-side, low[0]), min(bottom, low[1]), max(side, high[0]), max(top, high[1]))
+
+    def palm_at(self, time: float) -> float:
+        """Height (m) of the palm, 0 unless a wall keeps the hand back."""
+        right, left = self.at(time)[1]
+        return self.case.palm_ahead((right,), (left,))
 
 
 def scene(case: Case, start: tuple[float, float, float], result: Simulation) -> Scene:

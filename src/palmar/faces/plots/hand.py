@@ -29,6 +29,9 @@ JOINT_SIZE, INNER_JOINT_SIZE = 1.8, 1.3
 """Diameters of joints on paper (mm)."""
 MARK = 1.0
 """Half the width of an object's origin mark on paper (mm)."""
+WALL_LEVEL = 0.8
+WALL_ROOM = 0.04
+"""Height of what is seen of a wall, as a share of the picture's."""
 
 
 def finger_points(hand: Hand, joints: Sequence[float], *, left: bool = False) -> Floats:
@@ -59,6 +62,19 @@ def draw_palm(axes: Axes, hand: Hand, *, at: Place = (0.0, 0.0), ghost: bool = F
     ends = [(at[0] - hand.half_palm, at[1]), (at[0] + hand.half_palm, at[1])]
     role, level = (Role.GHOST, PALM_LEVEL - GHOST_DROP) if ghost else (Role.PALM, PALM_LEVEL)
     stroke(axes, MM * np.array(ends), role, level=level, width=HEAVY)
+
+
+def draw_wall(axes: Axes, height: float) -> None:
+    """A wall across the picture at y = ``height`` (m): its line, and hatching behind it."""
+    (left, right), (_, top) = axes.get_xlim(), axes.get_ylim()
+    stroke(axes, [(left, MM * height), (right, MM * height)], Role.DIMENSION, level=WALL_LEVEL, width=NORMAL)
+    if top > MM * height:
+        axes.add_patch(
+            Rectangle(
+                (left, MM * height), right - left, top - MM * height, hatch="////", fill=False, linewidth=0.0,
+                edgecolor=Role.GHOST.line, zorder=WALL_LEVEL,
+            )
+        )  # fmt: skip
 
 
 def draw_finger(

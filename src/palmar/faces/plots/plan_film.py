@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from numpy.typing import NDArray
-from PIL import Image
 
-from palmar.faces.exports.whole_file import write_whole
 from palmar.faces.plots.areas import draw_area
+from palmar.faces.plots.gif import Picture, rendered, write_gif
 from palmar.faces.plots.hand import draw_finger, draw_object, draw_palm, finger_points
 from palmar.faces.plots.plan_picture import BELIEF, LEAST
 from palmar.faces.plots.region_picture import millimetre_ticks
@@ -24,25 +20,15 @@ from palmar.studies.plan import Plan
 from palmar.studies.plan_walk import Moment, longest_way, walk
 
 ROOM = Room(Pad(3.0, 6.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, 0.0, 0.0))
-DPI, COLOURS, DELAY, LAST = 90, 48, 60, 2500
-"""Dots per inch; colours of the palette; milliseconds of a picture, and of the last."""
+DELAY, LAST = 60, 2500
+"""Milliseconds of a picture, and of the last."""
 
 
 def write_plan_film(path: Path, case: Case, plan: Plan) -> None:
     """Write a GIF of an object that takes the most approaches, whole or not at all."""
     moments = list(walk(case, plan, longest_way(case, plan)))
     extent = _extent(case, moments)
-    pictures = [Image.fromarray(_picture(case, each, extent)) for each in moments]
-    palette = pictures[len(pictures) // 3].quantize(COLOURS, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-    flat = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in pictures]
-    durations = [DELAY] * (len(flat) - 1) + [LAST]
-
-    def write(partial: Path) -> None:
-        flat[0].save(
-            partial, format="GIF", save_all=True, append_images=flat[1:], duration=durations, loop=0, optimize=True
-        )
-
-    write_whole(path, write)
+    write_gif(path, [_picture(case, each, extent) for each in moments], DELAY, LAST)
 
 
 def _extent(case: Case, moments: list[Moment]) -> Extent:
@@ -58,8 +44,7 @@ def _extent(case: Case, moments: list[Moment]) -> Extent:
     return found
 
 
-def _picture(case: Case, moment: Moment, extent: Extent) -> NDArray[np.uint8]:
-    """RGB (height, width, 3), both even."""
+def _picture(case: Case, moment: Moment, extent: Extent) -> Picture:
     page = sheet([[extent]], title="Where the object's centre may be (orange)", room=ROOM)
     axes = page.panels[0][0]
     millimetre_ticks(axes)
@@ -67,11 +52,7 @@ def _picture(case: Case, moment: Moment, extent: Extent) -> NDArray[np.uint8]:
     draw_object(axes, case.object, moment.thing, fill=0.6)
     _draw_hand(axes, case, moment)
     page.write((MARGIN, MARGIN), moment.doing, size=HEADING_SIZE, bold=True, role=Role.CAPTION)
-    canvas: Any = FigureCanvasAgg(page.figure)
-    page.figure.set_dpi(DPI)
-    canvas.draw()
-    picture = np.asarray(canvas.buffer_rgba())[:, :, :3]
-    return picture[: len(picture) // 2 * 2, : picture.shape[1] // 2 * 2].copy()
+    return rendered(page.figure)
 
 
 def _draw_hand(axes: Axes, case: Case, moment: Moment) -> None:

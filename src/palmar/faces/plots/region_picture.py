@@ -15,16 +15,19 @@ from shapely import MultiPolygon, box
 from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
 from palmar.faces.plots.dimensions import dimension, note, radius_dimension, text_fits
 from palmar.faces.plots.facts import FACTS, Fact, write_facts
-from palmar.faces.plots.hand import draw_hand, draw_object, finger_points, object_reach
+from palmar.faces.plots.hand import WALL_ROOM, draw_hand, draw_object, draw_wall, finger_points, object_reach
 from palmar.faces.plots.lettering import millimetres, square_millimetres
 from palmar.faces.plots.sheet import MARGIN, MM, Extent, Pad, Room, Sheet, per_paper_mm, sheet
-from palmar.faces.plots.style import FINE, SMALL_SIZE, Role
+from palmar.faces.plots.strokes import stroke
+from palmar.faces.plots.style import FINE, HEAVY, SMALL_SIZE, Role
+from palmar.faces.words import resting_rows
 from palmar.geometry.planar_set import Circle, areal, inscribed_circle
 from palmar.geometry.planar_set import seen_from_object as from_object
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.hand import Hand
 from palmar.models.objects import Disk
+from palmar.regions.on_the_wall import resting_height
 from palmar.regions.region import Region
 
 Place = tuple[float, float]
@@ -39,6 +42,7 @@ PALM = Band(Role.CENTRE, "the middle of the palm starts inside", 1.0)
 PALM_ERROR = replace(ERROR, words="allowed error: the largest circle in that region")
 
 ROOM = Room(Pad(3.0, 11.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, FACTS, 0.0))
+ROW_LEVEL = 3.5
 VISIBLE = 1e-3
 """Error bands below this share of the area are too thin to draw."""
 FAIR = radians(15.0)
@@ -82,6 +86,7 @@ def region_pictures(
     for region, scene, (axes,) in zip(regions, scenes, page.panels, strict=True):
         theta = case.start.theta if region.orientations is None else region.orientations[0]
         _draw(axes, case, scene, theta)
+        _row_on_the_wall(axes, case, region, scene)
         _facts(page, axes, case, region)
     legend(page, (MARGIN, page.box(page.panels[-1][0]).bottom - ROOM.outside.bottom), bands)
     return page.figure
@@ -133,6 +138,8 @@ def _extent(case: Case, scene: _Scene) -> Extent:
         extent = extent if area.is_empty else extent.joined(Extent(*area.bounds))
     size = object_reach(case.object)
     at = scene.object_at or (0.0, size)
+    if case.support.wall is not None:
+        extent = extent.joined(Extent(extent.left, y, extent.right, y + (1.0 + WALL_ROOM) * case.support.wall))
     return extent.joined(Extent(at[0] - size, at[1] - size, at[0] + size, at[1] + size))
 
 
@@ -140,6 +147,8 @@ def _draw(axes: Axes, case: Case, scene: _Scene, theta: float) -> None:
     millimetre_ticks(axes)
     for area, band in scene.sets:
         draw_area(axes, area, band)
+    if case.support.wall is not None:
+        draw_wall(axes, scene.hand_at[1] + case.support.wall)
     size = object_reach(case.object)
     draw_object(axes, case.object, scene.object_at or (0.0, size), theta, fill=0.6)
     draw_hand(axes, case.hand, case.hand.open, at=scene.hand_at)
@@ -149,6 +158,14 @@ def _draw(axes: Axes, case: Case, scene: _Scene, theta: float) -> None:
         radius_dimension(axes, circle.centre, circle.radius, ALONG, role=ERROR.role)
     if scene.hand_at == (0.0, 0.0):
         _hand_dimensions(axes, case.hand)
+
+
+def _row_on_the_wall(axes: Axes, case: Case, region: Region, scene: _Scene) -> None:
+    """Where along the wall the origin of an object that rests on it may be, seen from the hand."""
+    if scene.hand_at == (0.0, 0.0):
+        for low, high in region.resting or ():
+            height = resting_height(case)
+            stroke(axes, MM * np.array([(low, height), (high, height)]), Role.CENTRE, level=ROW_LEVEL, width=HEAVY)
 
 
 def _hand_dimensions(axes: Axes, hand: Hand) -> None:
@@ -191,5 +208,6 @@ def _facts(page: Sheet, axes: Axes, case: Case, region: Region) -> None:
         facts.append(("area of the centre region", square_millimetres(region.area), Role.CENTRE))
         if region.certain is not None:
             facts.append(("of it certain", square_millimetres(region.certain.area), CERTAIN.role))
+    facts += [(name, value, Role.CENTRE) for name, value in resting_rows(region)]
     facts.append((f"{region.model.value} model", region.guarantee.meaning, Role.CAPTION))
     write_facts(page, axes, facts)

@@ -8,7 +8,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from palmar.faces.plots.hand import draw_finger, draw_object, draw_palm, finger_points, object_reach
+from palmar.faces.plots.hand import (
+    WALL_ROOM,
+    draw_finger,
+    draw_object,
+    draw_palm,
+    draw_wall,
+    finger_points,
+    object_reach,
+)
 from palmar.faces.plots.region_picture import millimetre_ticks
 from palmar.faces.plots.sheet import MM, Extent, Pad, Room, sheet
 from palmar.faces.plots.strokes import DASHES, disc, stroke
@@ -27,33 +35,48 @@ MARK = 0.008
 def trace_picture(done: BehaviourRun) -> Figure:
     """The first pose and those where the hand goes on to something else as ghosts, the last in full; frame of the start."""
     case, rows = done.case, done.trace.rows
-    extent = _extent(case, rows)
+    extent = extent_of(case, rows)
     title = f"{done.case.behaviour.name.value}: {done.trace.outcome.value} after {rows[-1].seen.time:.2f} s"
     page = sheet([[extent]], title=title, footer=_footer(done), room=ROOM)
     axes = page.panels[0][0]
     millimetre_ticks(axes)
     for row in _ghosts(rows):
-        _draw(axes, case, row, ghost=True)
-    _draw(axes, case, rows[-1], ghost=False)
-    _ways(axes, rows)
+        draw_row(axes, case, row, ghost=True)
+    draw_row(axes, case, rows[-1], ghost=False)
+    _ways(axes, case, rows)
+    draw_still(axes, case, rows[0])
     for row in _firings(rows):
         disc(axes, (MM * row.pose[0], MM * row.pose[1]), MM * MARK * extent.size[0], Role.HELD, level=WAY_LEVEL + 0.5)
     return page.figure
 
 
-def _draw(axes: Axes, case: Case, row: Row, *, ghost: bool) -> None:
-    at = row.seen.arm[:2]
+def draw_row(axes: Axes, case: Case, row: Row, *, ghost: bool) -> None:
+    """Hand and object at one observation."""
+    at = _palm(case, row)
     draw_palm(axes, case.hand, at=at, ghost=ghost)
     for joints, left in ((row.seen.left, True), (row.seen.right, False)):
         draw_finger(axes, case.hand, joints, left=left, at=at, ghost=ghost)
     draw_object(axes, case.object, row.pose[:2], row.pose[2], ghost=ghost)
 
 
-def _ways(axes: Axes, rows: tuple[Row, ...]) -> None:
+def draw_still(axes: Axes, case: Case, first: Row) -> None:
+    """The wall, if there is one, and the object where it was at first."""
+    if case.support.wall is not None:
+        draw_wall(axes, case.support.wall)
+    draw_object(axes, case.object, first.pose[:2], first.pose[2], ghost=True)
+
+
+def _palm(case: Case, row: Row) -> tuple[float, float]:
+    """Where the middle of the palm is (m): where the arm is told to be, unless a wall keeps it back."""
+    x, y, _ = row.seen.arm
+    return x, case.palm_ahead(row.seen.right, row.seen.left, y)
+
+
+def _ways(axes: Axes, case: Case, rows: tuple[Row, ...]) -> None:
     """Of the object, and of the middle of the palm."""
     for points, role, dashes, width in (
         ([row.pose[:2] for row in rows], Role.OBJECT, "-", NORMAL),
-        ([row.seen.arm[:2] for row in rows], Role.DIMENSION, DASHES, FINE),
+        ([_palm(case, row) for row in rows], Role.DIMENSION, DASHES, FINE),
     ):
         way = MM * np.array(points)
         if np.ptp(way, axis=0).max() > 0.0:
@@ -76,15 +99,18 @@ def _firings(rows: tuple[Row, ...]) -> list[Row]:
     ]
 
 
-def _extent(case: Case, rows: tuple[Row, ...]) -> Extent:
+def extent_of(case: Case, rows: tuple[Row, ...]) -> Extent:
+    """All that is shown of a run."""
     size, thick = object_reach(case.object), case.hand.half_thickness
     shown = [*_ghosts(rows), rows[-1]]
     points = [np.array([row.pose[:2] for row in rows]) + corner for corner in (-size, size)]
     for row in shown:
         for joints, left in ((row.seen.left, True), (row.seen.right, False)):
-            finger = finger_points(case.hand, joints, left=left) + row.seen.arm[:2]
+            finger = finger_points(case.hand, joints, left=left) + _palm(case, row)
             points += [finger - thick, finger + thick]
     every = np.concatenate(points)
+    if case.support.wall is not None:
+        every = np.vstack([every, [every[0, 0], case.support.wall + WALL_ROOM * np.ptp(every[:, 1])]])
     (left_end, bottom), (right_end, top) = every.min(axis=0), every.max(axis=0)
     return Extent(float(left_end), float(bottom), float(right_end), float(top))
 

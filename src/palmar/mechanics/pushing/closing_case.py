@@ -20,9 +20,9 @@ def closing_hand(hand: Hand, radius: float, friction: float) -> ClosingHand:
     return ClosingHand(hand.half_palm, hand.finger_length, h, radius, friction, hand.open, *ends)
 
 
-def straight_motion(hand: Hand) -> HandMotion:
-    """For the stepping kernel."""
-    return hand_motion(
+def straight_motion(hand: Hand, wall: float | None = None) -> HandMotion:
+    """For the stepping kernel; ``wall`` (m) is that of the case's support."""
+    motion = hand_motion(
         hand.half_palm,
         [hand.finger_length],
         hand.half_thickness,
@@ -30,3 +30,4 @@ def straight_motion(hand: Hand) -> HandMotion:
         limit=hand.base_limits[1],
         colliding=hand.fingers is Fingers.COLLIDING,
     )
+    return motion if wall is None else motion._replace(wall=wall)

@@ -6,7 +6,8 @@ from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.closing_motion import KEPT, LEFT, RIGHT, SEVERAL, THETA, TIME, TOUCHED, Bench, X, Y
 from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.contact_scan import touching_candidates
-from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of, place_links
+from palmar.mechanics.pushing.contact_solve import CONTACT_WIDTH
+from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of, place_links, row_count
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of, side_of, write_contact
 
 SWEEPS, MOST_SHIFT = 40, 500.0
@@ -18,7 +19,7 @@ def look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) ->
     s = at.state
     place_links(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
     least, count = touching_candidates(
-        body, at.links, len(hand.links), scale, s[X], s[Y], s[THETA], touch, at.found, at.apart
+        body, at.links, row_count(hand), scale, s[X], s[Y], s[THETA], touch, at.found, at.apart
     )
     changed = False
     for k in range(count):
@@ -30,6 +31,18 @@ def look(hand: HandMotion, body: Body, at: Bench, scale: Scale, touch: float) ->
     if changed:
         s[SEVERAL], s[KEPT] = 0.0, 0.0
     return least, count
+
+
+@compiled
+def without_wall(hand: HandMotion, at: Bench, count: int) -> int:
+    """Move the hand's own contacts, which are written, to the front; returns their number."""
+    kept = 0
+    for k in range(count):
+        if link_of(at.active[k]) <= 2 * len(hand.links):
+            for j in range(CONTACT_WIDTH):
+                at.contacts[kept, j] = at.contacts[k, j]
+            kept += 1
+    return kept
 
 
 @compiled

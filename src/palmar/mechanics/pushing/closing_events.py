@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from palmar.mechanics.pushing.closing_motion import LOGGED, TIME, Bench
 from palmar.mechanics.pushing.compiled import compiled
-from palmar.mechanics.pushing.hand_pose import HandMotion
+from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of
 from palmar.mechanics.pushing.polygon_contacts import link_of
 
-TOUCHES, LEAVES, STICKS, SLIDES, STALLS, ENDS = 0, 1, 2, 3, 4, 5
+TOUCHES, LEAVES, STICKS, SLIDES, STALLS, ENDS, HALTS = range(7)
 
 
 @compiled
@@ -59,5 +59,5 @@ def mirror_log(hand: HandMotion, at: Bench) -> None:
         row = at.log[k]
         if row[1] == STALLS:
             row[2] = 1.0 - row[2]
-        elif row[1] != ENDS and row[2] > 0.0:
+        elif row[1] != ENDS and row[1] != HALTS and finger_of(hand, int(row[2])) >= 0:
             row[2] += -pairs if row[2] > pairs else pairs

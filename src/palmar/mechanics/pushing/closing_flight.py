@@ -18,14 +18,14 @@ from math import acos, asin, atan2, inf, pi, sqrt
 from palmar.mechanics.pushing.angles import cosine_sine
 from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, THETA, TIME, Bench, X, Y
 from palmar.mechanics.pushing.compiled import compiled, inlined
-from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, stands
 from palmar.mechanics.pushing.polygon_contacts import Body, link_of
 
 
 @inlined
 def in_flight(hand: HandMotion, at: Bench, count: int) -> bool:
     """Whether the object rests in the stride whose stages are filled, on links at rest, before fingers of that kind."""
-    rests = len(hand.links) == 1 and hand.vx == 0.0 and hand.vy == 0.0 and at.pivot[0] == 0.0
+    rests = len(hand.links) == 1 and stands(hand) and at.pivot[0] == 0.0
     for finger in range(2):  # else time is not the base angle
         rests = rests and hand.offsets[finger, 0] == 0.0 and hand.ratios[finger, 0] == 0.0
     for j in range(3):

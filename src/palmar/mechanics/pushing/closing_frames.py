@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing.closing_end import CAGED
-from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, THETA, TIME, Bench, X, Y, bench
+from palmar.mechanics.pushing.closing_motion import ARM, LEFT, RIGHT, THETA, TIME, Bench, X, Y, bench
 from palmar.mechanics.pushing.closing_steps import MOST_STEPS, TOLERANCE, follow, judge
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, scale_of
@@ -22,7 +22,7 @@ def carry_frames(hand: HandMotion, body: Body, start: Floats, angles: Floats) ->
     """Poses (K, 3) and base angles right and left (K, 2) at the rising base ``angles`` (K,) from a valid start (3,)."""
     at, scale = bench(0), scale_of(float(hand.links.sum()), body, TOLERANCE)
     s = at.state
-    s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT] = *start, hand.first, MOVING, MOVING
+    s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT], s[ARM] = *start, hand.first, MOVING, MOVING, MOVING
     rows = np.empty((len(angles), 5))
     shown, waiting = None, [rows]
     while waiting:

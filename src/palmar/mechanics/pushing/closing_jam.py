@@ -1,7 +1,8 @@
 """Jams: where a pushed object has no admissible motion, and which finger stalls on it.
 
 A finger without which there is a motion stalls alone. If there is none without the right and none without the left, or
-one without either, both stall. (By duality a jam is a set of loads inside the friction cones that balance and on which
+one without either, both stall. Before a wall the wrist gives way first: an arm that presses the
+object against it is halted. (By duality a jam is a set of loads inside the friction cones that balance and on which
 the hand does work; stopping one finger only helps if its share of that work was all of it.)
 
 Two contacts without friction that pinch an object turn it ever faster to where they oppose each other: the time left
@@ -11,8 +12,11 @@ can reach, is extrapolated from where the loads are ``PINCHING``.
 
 from __future__ import annotations
 
-from palmar.mechanics.pushing.closing_events import STALLS, note, note_touches
+from math import inf
+
+from palmar.mechanics.pushing.closing_events import HALTS, STALLS, note, note_touches
 from palmar.mechanics.pushing.closing_motion import (
+    ARM,
     LEFT,
     OMEGA,
     PINCHED,
@@ -51,7 +55,7 @@ def _moves_without(hand: HandMotion, body: Body, at: Bench, count: int, finger: 
     for k in range(count):
         row, owner = at.contacts[k], finger_of(hand, link_of(at.active[k]))
         if owner == finger or (owner >= 0 and finger == 2):
-            row[4], row[5] = to_object(at, hand.vx, hand.vy)
+            row[4], row[5] = to_object(at, at.links[0, 5], at.links[0, 6])
         speed = max(speed, abs(row[4]) + abs(row[5]))
     guess = at.state[VX], at.state[VY], at.state[OMEGA]
     return full_twist(body, at, count, speed, guess) > 0 and most_load(at, count) <= bearable
@@ -68,8 +72,12 @@ def most_load(at: Bench, count: int) -> float:
 
 @compiled
 def stall(hand: HandMotion, body: Body, at: Bench, count: int, skin: float) -> None:
-    """Stop the fingers because of which there is no motion at the state."""
+    """Stop what there is no motion because of at the state: before a wall an arm that moves, else the fingers."""
     s, bearable = at.state, PINCHING if at.state[PINCHED] > 0.0 else UNBEARABLE
+    if hand.wall < inf and (hand.vx != 0.0 or hand.vy != 0.0) and hand.halt == inf:
+        s[ARM], s[SEVERAL] = s[TIME], 0.0
+        note(at, HALTS, 0)
+        return
     stop_right, stop_left = s[RIGHT] == MOVING, s[LEFT] == MOVING
     if stop_right and stop_left:
         write_contacts(hand, body, at, count, skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])

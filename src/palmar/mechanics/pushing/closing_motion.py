@@ -26,7 +26,7 @@ from palmar.mechanics.pushing.contact_solve import (
     workspace,
 )
 from palmar.mechanics.pushing.edge_loads import edge_loads, edges_twist
-from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, HandMotion, place_links
+from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_ROWS, HandMotion, place_links
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK, tangent_metric
 from palmar.mechanics.pushing.metric import Triple, inverse, squared
 from palmar.mechanics.pushing.motion_solve import solve_motion, start_metric
@@ -44,11 +44,11 @@ UNKNOWN = -1.0
 NONE, MANY = -2, -3
 """In place of an edge: no load; the loads are on more than three edges, or not known."""
 CLEAR = 1e-8
-STATE_WIDTH, MOST_BRANCHES = 16, 8
-X, Y, THETA, TIME, RIGHT, LEFT, VX, VY, OMEGA, TOUCHED, DEPTH, SEVERAL, FLAGS, LOGGED, PINCHED, KEPT = range(16)
+STATE_WIDTH, MOST_BRANCHES = 17, 8
+X, Y, THETA, TIME, RIGHT, LEFT, VX, VY, OMEGA, TOUCHED, DEPTH, SEVERAL, FLAGS, LOGGED, PINCHED, KEPT, ARM = range(17)
 """Entries of a state: pose, time, stall angles (or MOVING), last twist, whether a finger has touched it, number of
 alternatives taken, whether those here are noted, flags, number of events, whether it was pinched without friction,
-whether the contacts are those of the last motion."""
+whether the contacts are those of the last motion, when the arm was halted (or MOVING)."""
 
 
 class Bench(NamedTuple):
@@ -87,16 +87,16 @@ class Bench(NamedTuple):
 def bench(events: int) -> Bench:
     """A fresh bench with room for so many events."""
     return Bench(
-        np.zeros((2 * MOST_LINKS + 1, LINK_WIDTH)),
+        np.zeros((MOST_ROWS, LINK_WIDTH)),
         np.zeros(MOST_ACTIVE, np.int64),
         np.zeros(MOST_ACTIVE),
         np.zeros(MOST_ACTIVE, np.int64),
-        np.zeros(2 * MOST_LINKS + 1),
+        np.zeros(MOST_ROWS),
         np.zeros((MOST_ACTIVE, CONTACT_WIDTH)),
         np.zeros(MOST_ACTIVE),
         np.zeros((MOST_ACTIVE, 2)),
         np.full(3, NONE),
-        np.zeros(2 * MOST_LINKS + 1, np.int64),
+        np.zeros(MOST_ROWS, np.int64),
         np.zeros((7, 4)),
         np.zeros((4, 3)),
         np.zeros(3),

@@ -9,8 +9,8 @@ stalls, else both do. A finger that has stalled stays where it is, a rigid wall;
 Where Coulomb's law admits several motions, the one nearest to the last is followed and the others after it, up to
 ``DEEPEST`` such choices in a row; the worst end counts, and the start is flagged.
 
-Right to the tolerance (finger lengths per stride), but for contacts that came and went within ``closing_touch.FINEST``,
-and for the end pose of a polygon that escapes off the very tip of a line finger: there the mechanics is discontinuous.
+Right to the tolerance (finger lengths per stride), but for contacts that came and went within ``closing_touch.FINEST``, and
+for the end pose of a polygon that escapes off the very tip of a line finger: there the mechanics is discontinuous.
 """
 
 from __future__ import annotations
@@ -23,12 +23,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.mechanics.pushing import closing_end
-from palmar.mechanics.pushing.closing_contacts import look, look_again, settle_and_look
+from palmar.mechanics.pushing.closing_contacts import look, look_again, settle_and_look, without_wall
 from palmar.mechanics.pushing.closing_course import go_on
 from palmar.mechanics.pushing.closing_events import ENDS, mirror_log, note, note_modes
 from palmar.mechanics.pushing.closing_jam import pinch, stall
 from palmar.mechanics.pushing.closing_kink import first_kink
 from palmar.mechanics.pushing.closing_motion import (
+    ARM,
     DEPTH,
     FLAGS,
     KEPT,
@@ -55,7 +56,7 @@ from palmar.mechanics.pushing.closing_next import UNSOLVED, next_twist
 from palmar.mechanics.pushing.closing_stride import FIRST_STRIDE, LONGEST_ARC, stride, turns_along
 from palmar.mechanics.pushing.closing_touch import first_change, first_touch
 from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
-from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, as_halted
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
 from palmar.mechanics.pushing.meeting import travel_end
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, scale_of
@@ -66,18 +67,16 @@ Floats = NDArray[np.float64]
 INVALID, UNDECIDED = Outcome.INVALID.code, Outcome.UNDECIDED.code
 TOLERANCE, BATCH_TOLERANCE = 1e-7, 1e-6
 """Error allowed per stride, in finger lengths: for one start; for many, of which the outcomes are asked."""
-MOST_STEPS = 4000
-AFRESH = 0.6
-"""Length of a stride after an event, in units of what the one that it ended would have had."""
-DEEPEST, ROWS_PER_TASK, MANY_STARTS = 3, 64, 2000
-RANGE = 0.01
-"""Part of ``TOUCH`` by which a contact is past its range when that is noticed."""
+MOST_STEPS, DEEPEST, ROWS_PER_TASK, MANY_STARTS = 4000, 3, 64, 2000
+AFRESH, RANGE = 0.6, 0.01
+"""Length of a stride after an event, in units of what the one that it ended would have had; part of ``TOUCH`` by which a
+contact is past its range when that is noticed."""
 AMBIGUOUS, CUT_SHORT = 1, 2
 """Flags: several motions were admissible somewhere; not all were followed; the search for one did not converge."""
 
 
 class End(NamedTuple):
-    """Outcome code; final pose in the table's frame, where the hand's started; base angles; flags."""
+    """Outcome code; final pose in the table's frame, where the hand's started; base angles; flags; arm's halt."""
 
     code: int
     x: float
@@ -86,6 +85,7 @@ class End(NamedTuple):
     right: float
     left: float
     flags: int
+    halt: float
 
 
 @compiled
@@ -136,7 +136,7 @@ def _ahead(
 @compiled
 def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: int, branches: int) -> tuple[bool, int]:
     """Carry the state to its end; returns (whether that was reached, number of alternatives that wait)."""
-    s, h = at.state, FIRST_STRIDE
+    s, h, hand = at.state, FIRST_STRIDE, as_halted(hand, at.state[ARM])
     _, count = look(hand, body, at, scale, scale.touch)
     at.loads[:], at.trend[:], s[KEPT] = 0.0, 0.0, 0.0
     if count > 0:
@@ -149,6 +149,7 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
         number = next_twist(body, at, count, speed)
         if number == 0:
             stall(hand, body, at, count, scale.skin)
+            hand = as_halted(hand, s[ARM])
             last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
             continue
         if number > 1:
@@ -160,6 +161,7 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
         if pinch(hand, body, at, count, scale.skin):
             _, count = settle_and_look(hand, body, at, count, scale, False)
             stall(hand, body, at, count, scale.skin)
+            hand = as_halted(hand, s[ARM])
             last = travel_end(hand, s[TIME], s[RIGHT], s[LEFT], at.links)
             continue
         h, proposal, over = _ahead(hand, body, at, count, scale, speed, h, last - s[TIME])
@@ -177,24 +179,17 @@ def follow(hand: HandMotion, body: Body, at: Bench, scale: Scale, most_steps: in
 
 @compiled
 def judge(hand: HandMotion, body: Body, at: Bench, scale: Scale) -> int:
-    """The outcome at the state."""
-    s = at.state
+    """The outcome at the state: what a wall does is no part of the hold."""
+    s, hand = at.state, as_halted(hand, at.state[ARM])
     _, count = look(hand, body, at, scale, 50.0 * scale.touch)
     write_contacts(hand, body, at, count, scale.skin, s[TIME], s[RIGHT], s[LEFT], s[X], s[Y], s[THETA])
-    stalls = (1 if s[RIGHT] != MOVING else 0) + (1 if s[LEFT] != MOVING else 0)
+    stalls, own = (1 if s[RIGHT] != MOVING else 0) + (1 if s[LEFT] != MOVING else 0), without_wall(hand, at, count)
+    if own < count and own > 0 and stalls == 1:  # wedged between a finger and the wall
+        stalls = 2
     note(at, ENDS, 0)
+    slack = closing_end.PINCHED_SLACK if s[PINCHED] > 0.0 else closing_end.SLACK
     return closing_end.verdict(
-        at.links,
-        len(hand.links),
-        at.contacts,
-        count,
-        s[X],
-        s[Y],
-        body.width,
-        body.reach,
-        s[TOUCHED] > 0.0,
-        stalls,
-        closing_end.PINCHED_SLACK if s[PINCHED] > 0.0 else closing_end.SLACK,
+        at.links, len(hand.links), at.contacts, own, s[X], s[Y], body.width, body.reach, s[TOUCHED] > 0.0, stalls, slack
     )
 
 
@@ -211,7 +206,7 @@ def carry_on(
         return _carry(hand, body, at, x, y, theta, tolerance, most_steps)
     end = _carry(hand, body, at, -x, y, -theta, tolerance, most_steps)
     mirror_log(hand, at)
-    return End(end.code, -end.x, end.y, -end.theta, end.left, end.right, end.flags)
+    return End(end.code, -end.x, end.y, -end.theta, end.left, end.right, end.flags, end.halt)
 
 
 @compiled
@@ -222,12 +217,12 @@ def _carry(
     s, scale = at.state, scale_of(hand.links.sum(), body, tolerance)
     s[:] = 0.0
     at.modes[:] = 0
-    s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT] = x, y, theta, hand.first, MOVING, MOVING
+    s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT], s[ARM] = x, y, theta, hand.first, MOVING, MOVING, MOVING
     gap, _ = look(hand, body, at, scale, scale.touch)
     first = hand.first
     if not (isfinite(x) and isfinite(y) and isfinite(theta)) or gap < -2.0 * scale.skin - 1e-9 * body.reach:
-        return End(INVALID, x, y, theta, first, first, 0)
-    worst, waiting, flags = End(-1, x, y, theta, first, first, 0), 0, 0
+        return End(INVALID, x, y, theta, first, first, 0, MOVING)
+    worst, waiting, flags = End(-1, x, y, theta, first, first, 0, MOVING), 0, 0
     while True:
         ended, waiting = follow(hand, body, at, scale, most_steps, waiting)
         code = judge(hand, body, at, scale) if ended else UNDECIDED
@@ -235,9 +230,9 @@ def _carry(
         if worst.code < 0 or (worst.code <= closing_end.CAGED and code > closing_end.CAGED):
             right = s[TIME] if s[RIGHT] == MOVING else s[RIGHT]
             left = s[TIME] if s[LEFT] == MOVING else s[LEFT]
-            worst = End(code, s[X], s[Y], s[THETA], right, left, 0)
+            worst = End(code, s[X], s[Y], s[THETA], right, left, 0, s[ARM])
         if waiting == 0:
-            return End(worst.code, worst.x, worst.y, worst.theta, worst.right, worst.left, flags)
+            return End(worst.code, worst.x, worst.y, worst.theta, worst.right, worst.left, flags, worst.halt)
         waiting -= 1
         for k in range(STATE_WIDTH):
             s[k] = at.branches[waiting, k]
@@ -249,20 +244,20 @@ def carry(
 ) -> tuple[End, Floats]:  # fmt: skip
     """Carry the object from a start to the end of the motion; also its first ``events`` events, (E, 3)."""
     at = bench(events)
-    end = End(*carry_on(hand, body, at, float(x), float(y), float(theta), tolerance, most_steps))
-    return end, at.log[: int(at.state[LOGGED])].copy()
+    end = carry_on(hand, body, at, float(x), float(y), float(theta), tolerance, most_steps)
+    return End(*end), at.log[: int(at.state[LOGGED])].copy()
 
 
 @compiled_to_allocate
 def carry_rows(
     hand: HandMotion, body: Body, starts: Floats, tolerance: float, most_steps: int,
-    codes: NDArray[np.int8], ends: Floats, flags: NDArray[np.int8],
+    codes: NDArray[np.int8], ends: Floats, flags: NDArray[np.int8], halts: Floats,
 ) -> None:  # fmt: skip
     """``carry`` for each row of ``starts`` (N, 3) on one bench; ``ends`` (N, 5) = x, y, theta, right, left."""
     at = bench(0)
     for k in range(len(starts)):
         end = carry_on(hand, body, at, starts[k, 0], starts[k, 1], starts[k, 2], tolerance, most_steps)
-        codes[k], flags[k] = end.code, end.flags
+        codes[k], flags[k], halts[k] = end.code, end.flags, end.halt
         ends[k, 0], ends[k, 1], ends[k, 2] = end.x, end.y, end.theta
         ends[k, 3], ends[k, 4] = end.right, end.left
 
@@ -275,15 +270,24 @@ def carry_all(
 
     Rows are independent: ``threads`` do not matter. Where MANY_STARTS are asked, single contacts are looked up.
     """
+    return carry_halting(hand, body, starts, tolerance, most_steps, threads)[:3]
+
+
+def carry_halting(
+    hand: HandMotion, body: Body, starts: Floats,
+    tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS, threads: int = 2,
+) -> tuple[NDArray[np.int8], Floats, NDArray[np.int8], Floats]:  # fmt: skip
+    """As ``carry_all``, with the times (N,) at which the arm was halted before a wall, or MOVING."""
     body = tabulated(body) if len(starts) >= MANY_STARTS and tolerance >= BATCH_TOLERANCE else body
     rows = np.zeros((len(starts), 3))
     rows[:, : starts.shape[1]] = starts
-    codes, ends, flags = np.zeros(len(rows), np.int8), np.zeros((len(rows), 5)), np.zeros(len(rows), np.int8)
+    codes, flags = np.zeros(len(rows), np.int8), np.zeros(len(rows), np.int8)
+    ends, halts = np.zeros((len(rows), 5)), np.zeros(len(rows))
 
     def part(first: int) -> None:
         some = slice(first, first + ROWS_PER_TASK)
-        carry_rows(hand, body, rows[some], tolerance, most_steps, codes[some], ends[some], flags[some])
+        carry_rows(hand, body, rows[some], tolerance, most_steps, codes[some], ends[some], flags[some], halts[some])
 
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(part, range(0, len(rows), ROWS_PER_TASK)))
-    return codes, ends, flags
+    return codes, ends, flags, halts

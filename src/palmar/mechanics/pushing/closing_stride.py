@@ -34,7 +34,7 @@ from palmar.mechanics.pushing.closing_motion import (
 )  # fmt: skip
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_solve import TIGHT
-from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of, stands
 from palmar.mechanics.pushing.polygon_contacts import TOUCH, Body, Scale, link_of
 from palmar.mechanics.pushing.single_contact import in_tables, single_twist
 
@@ -198,7 +198,7 @@ def turns_along(hand: HandMotion, body: Body, at: Bench, count: int) -> bool:
     pivot[0] = 0.0
     link = link_of(at.active[0])
     finger = finger_of(hand, link)
-    if finger < 0 or (link - 1) % len(hand.links) > 0 or hand.vx != 0.0 or hand.vy != 0.0:
+    if finger < 0 or (link - 1) % len(hand.links) > 0 or not stands(hand):
         return False
     if s[RIGHT if finger == 0 else LEFT] != MOVING:
         return False

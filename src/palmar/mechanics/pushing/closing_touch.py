@@ -16,7 +16,7 @@ from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, TIME, Bench
 from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_scan import further_gaps
 from palmar.mechanics.pushing.crossing import next_point
-from palmar.mechanics.pushing.hand_pose import HandMotion, place_links
+from palmar.mechanics.pushing.hand_pose import HandMotion, fastest_turn, place_links, row_count
 from palmar.mechanics.pushing.polygon_contacts import Body, Scale, link_of, range_left
 
 PASSES = 120
@@ -38,7 +38,7 @@ def gaps_after(
     """
     x, y, theta = pose_after(at, h, part)
     place_links(hand, at.state[TIME] + part * h, at.state[RIGHT], at.state[LEFT], at.links)
-    return further_gaps(body, at.links, len(hand.links), scale, x, y, theta, at.active, count, at.apart, far, at.found)
+    return further_gaps(body, at.links, row_count(hand), scale, x, y, theta, at.active, count, at.apart, far, at.found)
 
 
 @inlined
@@ -49,6 +49,8 @@ def closing_speed(hand: HandMotion, at: Bench, reach: float) -> float:
         k = at.stages[i]
         speed, turn = max(speed, k[0] * k[0] + k[1] * k[1]), max(turn, abs(k[2]))
     fastest = abs(hand.vx) + abs(hand.vy)
+    if hand.wall < inf:  # a tip on the wall and the base that gives way to it
+        fastest += 2.0 * hand.links.sum() * fastest_turn(hand)
     for link in range(1, 2 * len(hand.links) + 1):
         row = at.links[link]
         length = sqrt((row[2] - row[0]) ** 2 + (row[3] - row[1]) ** 2) + row[7]
@@ -57,10 +59,10 @@ def closing_speed(hand: HandMotion, at: Bench, reach: float) -> float:
 
 
 @inlined
-def _gaps_now(at: Bench, pairs: int, count: int) -> tuple[float, float]:
+def _gaps_now(at: Bench, rows: int, count: int) -> tuple[float, float]:
     """As ``gaps_after`` at the state, or less, from ``at.apart``."""
     free, near = inf, inf
-    for link in range(2 * pairs + 1):
+    for link in range(rows):
         busy = False
         for k in range(count):
             busy = busy or link_of(at.active[k]) == link
@@ -78,7 +80,7 @@ def first_touch(
     """Fraction of the stride h, at most ``part``, at which the first new contact touches (gap of 0 to ``touch``)."""
     speed = closing_speed(hand, at, body.reach)
     far = speed * h * part + scale.touch
-    free, near = _gaps_now(at, len(hand.links), count)
+    free, near = _gaps_now(at, row_count(hand), count)
     bend = 0.5 * speed * (1.0 + speed / body.reach * 0.25)
     level = 0.5 * scale.touch
     if count == 0 and free > far:

@@ -33,17 +33,17 @@ BESIDE = 1e-10
 
 @compiled
 def touching_candidates(
-    body: Body, links: Floats, pairs: int, scale: Scale, x: float, y: float, theta: float,
+    body: Body, links: Floats, rows: int, scale: Scale, x: float, y: float, theta: float,
     touch: float, found: Integers, apart: Floats,
 ) -> tuple[float, int]:  # fmt: skip
     """(least gap, number of candidates with a gap of at most ``touch``); those are written to ``found``.
 
-    ``apart`` gets, for each link, the least gap of its other candidates, or less. ``pairs`` = links of a finger.
+    ``apart`` gets, for each link, the least gap of its other candidates, or less. ``rows``: see ``row_count``.
     """
     c, s = cosine_sine(theta)
     least, touching = inf, 0
-    for link in range(2 * pairs + 1):
-        gap, other, touching = _gaps_of(body, links, link, pairs, scale, x, y, c, s, found, 0, touch, found, touching)
+    for link in range(rows):
+        gap, other, touching = _gaps_of(body, links, link, rows, scale, x, y, c, s, found, 0, touch, found, touching)
         apart[link] = other
         least = min(least, gap)
     return least, touching
@@ -51,7 +51,7 @@ def touching_candidates(
 
 @inlined
 def further_gaps(
-    body: Body, links: Floats, pairs: int, scale: Scale, x: float, y: float, theta: float,
+    body: Body, links: Floats, rows: int, scale: Scale, x: float, y: float, theta: float,
     active: Integers, count: int, apart: Floats, far: float, found: Integers,
 ) -> tuple[float, float]:  # fmt: skip
     """(least gap of links without an active contact, that of inactive candidates of the others).
@@ -61,13 +61,13 @@ def further_gaps(
     """
     c, s = cosine_sine(theta)
     free, near = inf, inf
-    for link in range(2 * pairs + 1):
+    for link in range(rows):
         busy = False
         for k in range(count):
             busy = busy or link_of(active[k]) == link
         if apart[link] > far and not busy:
             continue
-        gap, _, _ = _gaps_of(body, links, link, pairs, scale, x, y, c, s, active, count, -inf, found, 0)
+        gap, _, _ = _gaps_of(body, links, link, rows, scale, x, y, c, s, active, count, -inf, found, 0)
         if busy:
             near = min(near, gap)
         else:
@@ -77,13 +77,13 @@ def further_gaps(
 
 @inlined
 def _gaps_of(
-    body: Body, links: Floats, link: int, pairs: int, scale: Scale, x: float, y: float, c: float, s: float,
+    body: Body, links: Floats, link: int, rows: int, scale: Scale, x: float, y: float, c: float, s: float,
     active: Integers, count: int, touch: float, found: Integers, touching: int,
 ) -> tuple[float, float, int]:  # fmt: skip
     """(least gap of the link's inactive candidates, that of those above ``touch`` or less, number found so far).
 
     Of a link in touch, whose contacts drift within a stride, only a deeper cut counts, and vertices are seen to pass it;
-    so too where contacts are looked for anew, after a shift that may have taken the object a little into the palm.
+    so too where contacts are looked for anew, after a shift that may have taken the object a little into palm or wall.
     """
     row = links[link]
     ax, ay, bx, by = row[0] - x, row[1] - y, row[2] - x, row[3] - y
@@ -92,16 +92,18 @@ def _gaps_of(
     if bound > body.reach:
         return bound, bound, touching
     offset = row[7] + body.radius + scale.skin
-    skips_begin = link > 0 and ((link - 1) % pairs > 0 or row[7] == 0.0)
+    pairs = (rows - 1) // 2
+    flat = link == 0 or link > 2 * pairs
+    skips_begin = not flat and ((link - 1) % pairs > 0 or row[7] == 0.0)
     deep, beyond = scale.cut, 0.0
     if touch > 0.0:
-        deep, beyond = scale.deep, (2.0 * scale.deep if link == 0 else 0.0)
+        deep, beyond = scale.deep, (2.0 * scale.deep if flat else 0.0)
     for k in range(count):
         if link_of(active[k]) == link:
             deep = scale.deep
             beyond = 2.0 * deep if kind_of(active[k]) == VERTEX and beyond >= 0.0 else -1.0
     fx, fy = 0.0, 0.0
-    if link > 0 and link % pairs > 0:
+    if not flat and link % pairs > 0:
         follow = links[link + 1]
         gx, gy = follow[2] - follow[0], follow[3] - follow[1]
         fx, fy = c * gx + s * gy, c * gy - s * gx

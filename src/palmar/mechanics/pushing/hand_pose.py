@@ -3,24 +3,27 @@
 A finger's link j points in the direction psi + sum over the joints up to j of (offset + ratio (psi - first)), from the
 palm line outward. Time is psi: the base angle of both fingers of a mirrored motion, in general the time in any unit, the
 base joint's offset and ratio making an angle of it. A finger that has stalled at a time stays as it was then. The whole
-hand may slide along by a velocity per unit of time.
+hand may slide along by a velocity per unit of time, and gives way where a wall holds its fingers back (``wall``).
 """
 
 from __future__ import annotations
 
-from math import pi
+from math import inf, pi
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from palmar.mechanics.pushing.angles import cosine_sine
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.pushing.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 MOST_LINKS = 3
 LINK_WIDTH = 8
-"""A link is a row (ax, ay, bx, by, angular rate, velocity of a (2), half thickness); the palm is the first row."""
+"""A link is a row (ax, ay, bx, by, angular rate, velocity of a (2), half thickness); palm first, the wall, if any, last."""
+MOST_ROWS = 2 * MOST_LINKS + 2
+WALL_REACH = 100.0
+"""The wall goes so far to either side, in units of finger and half palm."""
 MOVING = -1.0
 """Stands for the angle of a finger that has not stalled."""
 SAMPLES = 20_001
@@ -32,7 +35,8 @@ class HandMotion(NamedTuple):
     ``links`` from the base to the tip; ``offsets`` and ``ratios`` (2, links), right and left: joint j counts from straight
     and is at ``offset + ratio (psi - first)``, the base joint at psi more than that. The base slides by (vx, vy) per
     radian; ``last`` ends the motion. ``alone`` is where a finger would end if the other were not there to be met; 0: they
-    pass each other (``meeting``). ``mirrored``: both rows are equal, and fingers of one plane meet at ``last``.
+    pass each other (``meeting``). ``mirrored``: both rows are equal, and fingers of one plane meet at ``last``. ``wall``: a
+    line at this y (m) that stays where it is, as the table does. The base slides until the time ``halt``.
     """
 
     half_palm: float
@@ -46,6 +50,8 @@ class HandMotion(NamedTuple):
     vy: float
     alone: float = 0.0
     mirrored: bool = True
+    wall: float = inf
+    halt: float = inf
 
 
 def hand_motion(
@@ -123,20 +129,28 @@ def _end_of_travel(motion: HandMotion, colliding: bool) -> float:
 
 @compiled
 def place_links(hand: HandMotion, time: float, right: float, left: float, rows: Floats) -> None:
-    """Write palm, right links, left links to ``rows`` (1 + 2 links, 8); ``right``, ``left``: stall angle or MOVING."""
-    base_x, base_y = hand.vx * (time - hand.first), hand.vy * (time - hand.first)
+    """Write palm, right links, left links, wall to ``rows`` (8 wide); ``right``, ``left``: stall angle or MOVING."""
+    count, gone = len(hand.links), min(time, hand.halt) - hand.first
+    slides = 1.0 if time < hand.halt else 0.0
+    base_x, base_y, base_vx, base_vy = hand.vx * gone, hand.vy * gone, slides * hand.vx, slides * hand.vy
+    if hand.wall < inf:
+        held, rate = held_back(hand, time, right, left)
+        base_y, base_vy = (held, rate) if held < base_y else (base_y, base_vy)
+        side = WALL_REACH * (hand.half_palm + hand.links.sum())
+        far = rows[2 * count + 1]
+        far[0], far[1], far[2], far[3] = base_x + side, hand.wall, base_x - side, hand.wall
+        far[4], far[5], far[6], far[7] = 0.0, 0.0, 0.0, 0.0
     palm = rows[0]
     palm[0], palm[1], palm[2], palm[3] = base_x - hand.half_palm, base_y, base_x + hand.half_palm, base_y
-    palm[4], palm[5], palm[6], palm[7] = 0.0, hand.vx, hand.vy, 0.0
-    count = len(hand.links)
+    palm[4], palm[5], palm[6], palm[7] = 0.0, base_vx, base_vy, 0.0
     for finger in range(2):
         side = 1.0 if finger == 0 else -1.0
         stopped = right if finger == 0 else left
         if finger == 1 and hand.mirrored and left == right:
-            _mirror_links(rows, count, base_x, hand.vx)
+            _mirror_links(rows, count, base_x, base_vx)
             return
         psi, rate = (time, 1.0) if stopped == MOVING else (stopped, 0.0)
-        x, y, vx, vy, angle, turn = side * hand.half_palm, 0.0, hand.vx, hand.vy, psi, rate
+        x, y, vx, vy, angle, turn = side * hand.half_palm, 0.0, base_vx, base_vy, psi, rate
         for j in range(count):
             angle += hand.offsets[finger, j] + hand.ratios[finger, j] * (psi - hand.first)
             turn += hand.ratios[finger, j] * rate
@@ -150,6 +164,60 @@ def place_links(hand: HandMotion, time: float, right: float, left: float, rows: 
 
 
 @compiled
+def held_back(hand: HandMotion, time: float, right: float, left: float) -> tuple[float, float]:
+    """How far ahead (m) the wall lets the base be, for the fingers as they are, and the rate of that.
+
+    The wrist gives way: a finger at the wall slides along it and holds the hand back (assumption 7 of section 2.1).
+    """
+    reach, rate = 0.0, 0.0
+    for finger in range(2):
+        stopped = right if finger == 0 else left
+        psi, pace = (time, 1.0) if stopped == MOVING else (stopped, 0.0)
+        height, rise, angle, turn = hand.half_thickness, 0.0, psi, pace
+        for j in range(len(hand.links)):
+            angle += hand.offsets[finger, j] + hand.ratios[finger, j] * (psi - hand.first)
+            turn += hand.ratios[finger, j] * pace
+            c, s = cosine_sine(angle)
+            height, rise = height + hand.links[j] * s, rise + hand.links[j] * c * turn
+            if height > reach:
+                reach, rate = height, rise
+    return hand.wall - reach, -rate
+
+
+@inlined
+def as_halted(hand: HandMotion, halt: float) -> HandMotion:
+    """The motion of an arm that was halted at a time (MOVING: was not)."""
+    return HandMotion(
+        hand.half_palm, hand.links, hand.half_thickness, hand.first, hand.last, hand.offsets, hand.ratios,
+        hand.vx, hand.vy, hand.alone, hand.mirrored, hand.wall, inf if halt == MOVING else halt,
+    )  # fmt: skip
+
+
+@inlined
+def stands(hand: HandMotion) -> bool:
+    """Whether the base stays where it is."""
+    return hand.vx == 0.0 and hand.vy == 0.0 and hand.wall == inf
+
+
+@inlined
+def fastest_turn(hand: HandMotion) -> float:
+    """The largest rate of turn of a link."""
+    fastest = 0.0
+    for finger in range(2):
+        turn = 1.0
+        for j in range(len(hand.links)):
+            turn += hand.ratios[finger, j]
+            fastest = max(fastest, abs(turn))
+    return fastest
+
+
+@inlined
+def row_count(hand: HandMotion) -> int:
+    """Rows that ``place_links`` writes."""
+    return 2 * len(hand.links) + (2 if hand.wall < inf else 1)
+
+
+@compiled
 def _mirror_links(rows: Floats, count: int, base_x: float, base_vx: float) -> None:
     """Write the left finger's links as the right one's mirror images."""
     for j in range(1, count + 1):
@@ -160,5 +228,5 @@ def _mirror_links(rows: Floats, count: int, base_x: float, base_vx: float) -> No
 
 @compiled
 def finger_of(hand: HandMotion, link: int) -> int:
-    """0 for a link of the right finger, 1 of the left, -1 the palm."""
-    return -1 if link == 0 else (link - 1) // len(hand.links)
+    """0 for a link of the right finger, 1 of the left, -1 the palm or the wall."""
+    return -1 if link == 0 or link > 2 * len(hand.links) else (link - 1) // len(hand.links)

@@ -12,9 +12,9 @@ from math import hypot, inf, isfinite
 import numpy as np
 
 from palmar.mechanics.pushing.closing_contacts import look
-from palmar.mechanics.pushing.closing_motion import LEFT, OMEGA, RIGHT, THETA, TIME, VX, VY, Bench, X, Y
+from palmar.mechanics.pushing.closing_motion import ARM, LEFT, OMEGA, RIGHT, THETA, TIME, VX, VY, Bench, X, Y
 from palmar.mechanics.pushing.closing_steps import MOST_STEPS, follow, judge
-from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, free_motion
+from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, free_motion, place_links
 from palmar.mechanics.pushing.meeting import travel_end
 from palmar.mechanics.pushing.polygon_contacts import BEGIN, VERTEX, Body, Scale, kind_of, link_of
 from palmar.models.hand import Fingers, Hand
@@ -46,13 +46,17 @@ class Carried:
 
 @dataclass
 class Carriage:
-    """``place`` of the body (x, y, theta) and ``arm`` (x, y), in the frame where the hand started; m, rad."""
+    """``place`` of the body (x, y, theta) and ``arm`` (x, y), in the frame where the hand started; m, rad.
+
+    ``arm`` is where the arm is told to be; before a wall, at the height ``wall`` in that frame, the wrist may give way.
+    """
 
     hand: Hand
     body: Body
     at: Bench
     scale: Scale
     place: tuple[float, float, float]
+    wall: float = inf
     arm: Vector = (0.0, 0.0)
     pace: float = 1.0
     lost: bool = False
@@ -70,7 +74,7 @@ class Carriage:
         spent = span if s[TIME] >= span * pace else float(s[TIME]) / pace
         stops = tuple(inf if s[each] == MOVING else float(s[each]) / pace for each in (RIGHT, LEFT))
         self.place = self.arm[0] + float(s[X]), self.arm[1] + float(s[Y]), float(s[THETA])
-        self._slide(velocity, spent)
+        self._slide(velocity, spent if s[ARM] == MOVING else float(s[ARM]) / pace)
         return Carried(spent, (stops[0], stops[1]))
 
     def slide(self, angles: Both, velocity: Vector, span: float) -> None:
@@ -82,12 +86,20 @@ class Carriage:
         self._slide(velocity, free_way(motion, self.body, self.at, self.scale, speed * span) / speed)
         self.at.state[VX : OMEGA + 1] = 0.0
 
-    def take_along(self, velocity: Vector, span: float) -> None:
-        """The arm moves for ``span`` (s), and the object, which the fingers hold, with it."""
-        x, y, theta = self.place
-        self.place = x + velocity[0] * span, y + velocity[1] * span, theta
+    def take_along(self, angles: Both, velocity: Vector, span: float) -> None:
+        """The arm moves for ``span`` (s), and the object, which the fingers hold, with it; not into a wall."""
+        (x, y, theta), room = self.place, self.wall - self._top()
+        before = self.palm_ahead(angles)
         self._slide(velocity, span)
+        self.place = x + velocity[0] * span, y + min(self.palm_ahead(angles) - before, room), theta
         self.at.state[VX : OMEGA + 1] = 0.0
+
+    def palm_ahead(self, angles: Both) -> float:
+        """Where along y (m) the palm is."""
+        if self.wall == inf:
+            return self.arm[1]
+        place_links(self._at_rest(angles), 0.0, MOVING, MOVING, self.at.links)
+        return self.arm[1] + float(self.at.links[0, 1])
 
     def touches(self, angles: Both) -> list[Touch]:
         """Where the object touches the hand now."""
@@ -120,7 +132,7 @@ class Carriage:
         motion = free_motion(
             hand.half_palm, np.array(hand.finger_links), hand.half_thickness, np.array(angles), np.array(rates) / pace,
             (velocity[0] / pace, velocity[1] / pace), span, hand.fingers is Fingers.COLLIDING,
-        )  # fmt: skip
+        )._replace(wall=self.wall - self.arm[1])  # fmt: skip
         if motion.alone > PARTING:
             # Fingers that touch where they are would never part again: the kernel ends a motion at a touch.
             starts, later = (travel_end(motion, each, MOVING, MOVING, self.at.links) for each in (0.0, PARTING))
@@ -130,7 +142,14 @@ class Carriage:
 
     def _set_state(self) -> None:
         s, (x, y, theta) = self.at.state, self.place
-        s[X], s[Y], s[THETA], s[TIME], s[RIGHT], s[LEFT] = x - self.arm[0], y - self.arm[1], theta, 0.0, MOVING, MOVING
+        s[X], s[Y], s[THETA] = x - self.arm[0], y - self.arm[1], theta
+        s[TIME], s[RIGHT], s[LEFT], s[ARM] = 0.0, MOVING, MOVING, MOVING
+
+    def _top(self) -> float:
+        """Largest y (m) of the object."""
+        c, s = float(np.cos(self.place[2])), float(np.sin(self.place[2]))
+        corners = self.body.vertices
+        return self.place[1] + self.body.radius + float((s * corners[:, 0] + c * corners[:, 1]).max())
 
     def _slide(self, velocity: Vector, seconds: float) -> None:
         self.arm = self.arm[0] + velocity[0] * seconds, self.arm[1] + velocity[1] * seconds

@@ -136,7 +136,7 @@ class FeedbackWorld:
         if rests and command.velocity == (0.0, 0.0):
             return left
         if rests and any(self.gripped) and self.outcome() in HOLDS:
-            self.carriage.take_along(command.velocity, left)
+            self.carriage.take_along(self.angles, command.velocity, left)
             return left
         if self._slides_by(command):
             self.carriage.slide(self.angles, command.velocity, left)
@@ -186,7 +186,10 @@ def feedback_world(
     slider = slider_of(case.object, case.support)
     body = slider_body(slider, case.contact.friction)
     x, y, theta = (float(each) for each in moved_poses(slider.centre, np.array([start]), 1.0)[0])
-    carriage = Carriage(hand, body, bench(0), scale_of(hand.finger_length, body, TOLERANCE), (x, y, theta))
+    wall = inf if case.support.wall is None else case.support.wall
+    if massive and wall < inf:
+        raise NotCoveredError("support.wall_mm: an object that stays where it is touched needs no wall to be held back")
+    carriage = Carriage(hand, body, bench(0), scale_of(hand.finger_length, body, TOLERANCE), (x, y, theta), wall)
     straight = (hand.open, *(0.0 for _ in range(count - 1)))
     angles = straight, straight
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing

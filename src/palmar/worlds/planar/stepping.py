@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from palmar.mechanics.pushing.closing import Ends
 from palmar.mechanics.pushing.closing_case import straight_motion
-from palmar.mechanics.pushing.closing_events import ENDS, LEAVES, STALLS, STICKS, TOUCHES
+from palmar.mechanics.pushing.closing_events import ENDS, HALTS, LEAVES, STALLS, STICKS, TOUCHES
 from palmar.mechanics.pushing.closing_frames import carry_frames
 from palmar.mechanics.pushing.closing_steps import BATCH_TOLERANCE, TOLERANCE, carry, carry_all
 from palmar.mechanics.pushing.hand_pose import HandMotion
@@ -59,15 +59,21 @@ class SteppingWorld:
         return (*known, Event(max(end.right, end.left), "end", outcome))
 
     def _event(self, psi: float, kind: int, who: int) -> Event:
+        if kind == HALTS:
+            return Event(psi, "halt", "arm")
         if kind == STALLS:
             return Event(psi, "stall", ("right_finger", "left_finger")[who])
         count = len(self.motion.links)
         finger, joint = divmod(who - 1, count)
-        part = "palm" if who == 0 else f"{('right', 'left')[finger]}_link" + (f"_{joint + 1}" if count > 1 else "")
+        if who == 0 or who > 2 * count:
+            return Event(psi, _KINDS.get(kind, "slide"), "palm" if who == 0 else "wall")
+        part = f"{('right', 'left')[finger]}_link" + (f"_{joint + 1}" if count > 1 else "")
         return Event(psi, _KINDS.get(kind, "slide"), part)
 
 
 def stepping_world(case: Case) -> SteppingWorld:
     """The world of a case on a table."""
     slider = slider_of(case.object, case.support)
-    return SteppingWorld(straight_motion(case.hand), slider_body(slider, case.contact.friction), slider.centre)
+    return SteppingWorld(
+        straight_motion(case.hand, case.support.wall), slider_body(slider, case.contact.friction), slider.centre
+    )

@@ -43,15 +43,16 @@ def refuse_uncovered(case: Case) -> None:
 
 
 def covered(case: Case) -> bool:
-    """Whether the event-to-event kernel carries the case: disks pressed about their centre."""
+    """Whether the event-to-event kernel carries the case: disks pressed about their centre, before no wall."""
     refuse_uncovered(case)
-    return isinstance(case.object, Disk) and case.support.pressure_centre == (0.0, 0.0)
+    centred = isinstance(case.object, Disk) and case.support.pressure_centre == (0.0, 0.0)
+    return centred and case.support.wall is None
 
 
 def table_world(case: Case) -> TableWorld:
     """The event-to-event world of a case; raises NotCoveredError where it does not cover it."""
     if not covered(case) or not isinstance(case.object, Disk):
-        raise NotCoveredError("this needs a disk pressed about its centre")
+        raise NotCoveredError("this needs a disk pressed about its centre, and no wall")
     hand = closing_hand(case.hand, case.object.radius, case.contact.friction)
     surface = slider_of(case.object, case.support).surface
     return TableWorld(hand, surface, build_tables(hand, surface))

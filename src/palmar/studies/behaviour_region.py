@@ -1,0 +1,176 @@
+"""From where a behaviour under feedback catches the object: the region of its runs in the planar world.
+
+A reflex decides by what it feels, so no closed form and no batch kernel has its region. Starts on a square grid are run one
+by one, on every processor that the executor has, and the grid is halved where neighbours differ (``boundary_search``):
+``sampled``. The object starts at the case's orientation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from math import ceil, cos, log2, pi, sin
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.behaviours.reflex import Reflex
+from palmar.errors import NotCoveredError
+from palmar.geometry.planar_set import EMPTY
+from palmar.models.behaviour import BehaviourName
+from palmar.models.case import Case
+from palmar.models.closure import Closure
+from palmar.models.guarantee import Guarantee
+from palmar.models.objects import Disk
+from palmar.models.sensors import Stretch
+from palmar.regions.boundary_search import Box, all_near, any_near, nodes_inside
+from palmar.regions.closing_sampled import COARSE, cells, corners_inside, corners_touching
+from palmar.regions.region import Model, Region
+from palmar.regions.simulated import covered_from, object_reach
+from palmar.studies.run_behaviour import Circumstances, behaviour_of, run_behaviour
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+TICK = 0.02
+"""Time (s) between two observations."""
+SPACING = 1.0 / 32.0
+"""Default spacing of the starts, in finger lengths."""
+FINEST = 1.0 / 512.0
+CHUNK = 8
+ADVANCING = {
+    BehaviourName.MOVE_AND_GRAB,
+    BehaviourName.MOVE_WHILE_CLOSING,
+    BehaviourName.SCOOP,
+    BehaviourName.PALM_REFLEX,
+}
+UNFELT = {BehaviourName.CLOSE, BehaviourName.MOVE_AND_GRAB, BehaviourName.MOVE_WHILE_CLOSING}
+Report = Callable[[int], None]
+EVERY_TICK = Circumstances(tick=TICK)
+
+
+def behaviour_region(
+    case: Case,
+    executor: Executor,
+    spacing: float | None = None,
+    circumstances: Circumstances = EVERY_TICK,
+    report: Report | None = None,
+) -> Region:
+    """The region of the case's behaviour; ``spacing`` (m) of the starts at its boundary; ``report`` hears how many are done.
+
+    Raises NotCoveredError where hand or object do not allow the behaviour, and for ranges.
+    """
+    if case.ranges:
+        raise NotCoveredError("regions of behaviours under feedback take plain numbers, not ranges")
+    length = case.hand.finger_length
+    wanted = max(spacing or SPACING * length, FINEST * length)
+    asked = _Runs(case, behaviour_of(case), circumstances, executor, report)
+    box = _box(case)
+    nodes = nodes_inside(asked.caught, box, max(0, ceil(log2(box.width / box.cells / wanted))))
+    origin = -0.5 * box.width, 0.0
+    centre = cells(corners_inside(all_near(nodes.held)), origin, nodes.step)
+    whole, flattening = (
+        (EMPTY, 0.0) if centre.is_empty else covered_from(centre, case.object, np.array([case.start.theta]))
+    )
+    behaviour = case.behaviour.name.value
+    return Region(
+        model=Model.EXACT,
+        closure=Closure.FRICTIONAL,
+        guarantee=Guarantee.SAMPLED,
+        centre=centre,
+        contact=EMPTY,
+        whole=whole,
+        flattening=flattening,
+        reason="no start on the grid is caught" if centre.is_empty else None,
+        notes=(
+            f"{asked.done} runs of {behaviour}, {1e3 * nodes.step:.3g} mm apart at the boundary, observed every"
+            f" {1e3 * circumstances.tick:.3g} ms",
+        ),
+        outer=cells(corners_touching(any_near(nodes.held)), origin, nodes.step),
+        orientations=None if isinstance(case.object, Disk) else (case.start.theta, case.start.theta),
+        spacing=nodes.step,
+    )
+
+
+@dataclass
+class _Runs:
+    """Runs a behaviour from any number of starts, and counts them."""
+
+    case: Case
+    reflex: Reflex[Any]
+    circumstances: Circumstances
+    executor: Executor
+    report: Report | None
+    done: int = 0
+
+    def caught(self, x: Floats, y: Floats) -> Bools:
+        """Which starts (N,), (N,), m, end caught."""
+        places = [(float(a), float(b), self.case.start.theta) for a, b in zip(x, y, strict=True)]
+        found: list[bool] = []
+        for part in self.executor.map(_run_some, self._parts(places)):
+            found += part
+            self.done += len(part)
+            if self.report is not None:
+                self.report(self.done)
+        return np.array(found, dtype=bool)
+
+    def _parts(self, places: Sequence[tuple[float, float, float]]) -> Iterator[_Part]:
+        for k in range(0, len(places), CHUNK):
+            yield _Part(self.case, self.reflex, self.circumstances, tuple(places[k : k + CHUNK]))
+
+
+@dataclass(frozen=True)
+class _Part:
+    case: Case
+    reflex: Reflex[Any]
+    circumstances: Circumstances
+    places: tuple[tuple[float, float, float], ...]
+
+
+def _run_some(part: _Part) -> list[bool]:
+    """Whether each start of a part is caught."""
+    ends = (run_behaviour(part.case, each, part.circumstances, part.reflex) for each in part.places)
+    return [each.trace.outcome.caught for each in ends]
+
+
+def _box(case: Case) -> Box:
+    """Where a caught object may have started: within reach of the hand anywhere on its way."""
+    hand, does, size = case.hand, case.behaviour, object_reach(case.object)
+    way = does.advance if does.name in ADVANCING else 0.0
+    width = 2.0 * (hand.half_palm + hand.finger_length + size + abs(way * cos(does.direction)))
+    height = hand.finger_length + 2.0 * size + max(way * sin(does.direction), 0.0)
+    if does.name is BehaviourName.FOLLOW_POLICY:
+        width = max(width, 2.0 * (abs(case.start.at[0]) + does.uncertainty + size))
+        height = max(height, case.start.at[1] + does.uncertainty + size)
+    return Box(width, height, COARSE, _mirrored(case))
+
+
+def _mirrored(case: Case) -> bool:
+    """Whether the region is its own mirror image, ties of Coulomb's law apart."""
+    if not isinstance(case.object, Disk) or case.support.pressure_centre != (0.0, 0.0):
+        return False
+    if case.behaviour.name is BehaviourName.FOLLOW_POLICY:
+        return False
+    straight = case.behaviour.name not in ADVANCING or abs(case.behaviour.direction - 0.5 * pi) < 1e-9
+    stretches = case.sensors.stretches(case.hand)
+    felt = case.behaviour.name in UNFELT or _same(stretches, (_mirror(each, case) for each in stretches))
+    return straight and felt
+
+
+def _same(some: Iterable[Stretch], others: Iterable[Stretch]) -> bool:
+    return {_key(each) for each in some} == {_key(each) for each in others}
+
+
+def _key(each: Stretch) -> tuple[str, float, float | None]:
+    return each.body, round(each.begin, 12), None if each.end is None else round(each.end, 12)
+
+
+def _mirror(each: Stretch, case: Case) -> Stretch:
+    if each.body == "palm":
+        width = case.hand.palm_width
+        begin, end = width - (each.end or width), width - each.begin
+        return each.model_copy(update={"begin": begin, "end": None if each.end is None and begin == 0.0 else end})
+    side, _, number = each.body.partition("_")
+    other = {"right": "left", "left": "right"}[side]
+    return each.model_copy(update={"body": f"{other}_{number}"})
