@@ -1,4 +1,4 @@
-"""A disk at rest in free space between two closing fingers, carried by small steps: slow, plain, and independent.
+"""A disk in free space between two closing fingers, carried by small steps: slow, plain, and independent.
 
 Lines for palm and fingers, no friction, fingers that nothing slows, one radian of finger per unit of time. In every step
 the distance of the centre from each of the three segments is looked at; where it has fallen below the radius, the step is
@@ -36,10 +36,10 @@ def gap(body: int, x: float, y: float, psi: float, d: float, length: float, radi
 
 
 @numba.njit(cache=True)
-def carried(x: float, y: float, psi: float, last: float, hand, e: float, step: float):
+def carried(x: float, y: float, psi: float, last: float, hand, e: float, step: float, vx: float = 0.0, vy: float = 0.0):
     """Centre, velocity and count of impacts when the fingers stand at ``last``; hand = (D, L, R)."""
     d, length, radius = hand
-    vx, vy, hits, left = 0.0, 0.0, 0, 0.0
+    hits, left = 0, 0.0
     while psi < last:
         left = step if left <= 0.0 else left
         # A fast disk must not pass through a line between two looks.
@@ -82,7 +82,7 @@ def carried(x: float, y: float, psi: float, last: float, hand, e: float, step: f
 @numba.njit(cache=True)
 def _many(starts, first, last, hand, e, step, ends):
     for i in range(len(starts)):
-        x, y, vx, vy, hits = carried(starts[i, 0], starts[i, 1], first, last, hand, e, step)
+        x, y, vx, vy, hits = carried(starts[i, 0], starts[i, 1], first, last, hand, e, step, starts[i, 2], starts[i, 3])
         ends[i, 0], ends[i, 1], ends[i, 2], ends[i, 3], ends[i, 4] = x, y, vx, vy, hits
 
 
@@ -94,10 +94,12 @@ def verdict_angle(d: float, length: float, radius: float) -> float:
 def caught(
     starts: np.ndarray, d: float, length: float, radius: float, e: float, opening: float = 0.0, step: float = STEP
 ):
-    """For each start (N, 2): whether its centre is between palm, fingers and tip line at the verdict."""
+    """For each start (N, 2), or with velocity (N, 4): whether it is between palm, fingers and tip line at the verdict."""
     last = verdict_angle(d, length, radius)
     ends = np.empty((len(starts), 5))
-    _many(np.ascontiguousarray(starts, float), opening, last, (d, length, radius), e, step, ends)
+    full = np.zeros((len(starts), 4))
+    full[:, : starts.shape[1]] = starts
+    _many(full, opening, last, (d, length, radius), e, step, ends)
     x, y = np.abs(ends[:, 0]), ends[:, 1]
     # Inside of the right finger's line: the distance along its normal is positive.
     inside = -(x - d) * sin(last) + y * cos(last) > 0.0
