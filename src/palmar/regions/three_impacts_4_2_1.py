@@ -82,7 +82,7 @@ def three_impact_sets(
         return PublishedSets(EMPTY, EMPTY, EMPTY, 0.0)
     points = contact_points(half_palm, numbers)
     pieces = [Chord((half_palm, 0.0), *ends, radius).flattened(tolerance) for ends in pairwise(points)]
-    line, bound = _to_axis(np.concatenate([piece for piece, _ in pieces])), max(each for _, each in pieces)
+    line, bound = np.concatenate([piece for piece, _ in pieces]), max(each for _, each in pieces)
     first = max(numbers.first_angle, opening)
     reach = half_palm + finger_length + radius
     # The curve bends away from the region: its polyline is moved inwards by as much as it may lie outside.
@@ -93,13 +93,3 @@ def three_impact_sets(
     contact = areal(shapely.intersection(closed_by_chord(points), in_front(half_palm, first, 0.0, reach)))
     whole, grown_bound = grown(centre, radius, tolerance)
     return PublishedSets(centre, contact, whole, 2.1 * bound + grown_bound)
-
-
-def _to_axis(line: Floats) -> Floats:
-    """The line up to where it first meets the y axis, all of it where it does not."""
-    beyond = np.flatnonzero(line[:, 0] < 0.0)
-    if len(beyond) == 0:
-        return line
-    end = int(beyond[0])
-    (x0, y0), (x1, y1) = line[end - 1], line[end]
-    return np.concatenate([line[:end], [[0.0, y0 + (y1 - y0) * x0 / (x0 - x1)]]])

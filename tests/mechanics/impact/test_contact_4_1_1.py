@@ -14,7 +14,14 @@ TIMES = np.linspace(0.0, 0.7, 15)
 
 
 def pressed(start: tuple[float, ...], friction: Callable[[float, float], float], end: float) -> np.ndarray:
-    """Contact distance at TIMES of a disk against a stiff, damped spring on the finger; in the frame of the room.
+    """As ``pressed_and_spun``, the distance alone."""
+    return pressed_and_spun(start, friction, end)[0]
+
+
+def pressed_and_spun(
+    start: tuple[float, ...], friction: Callable[[float, float], float], end: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Contact distance and spin at TIMES of a disk against a stiff, damped spring on the finger; in the frame of the room.
 
     ``start``: distance, rate of distance, spin. ``friction(slip, N)`` is the force on the disk along the finger.
     """
@@ -36,7 +43,7 @@ def pressed(start: tuple[float, ...], friction: Callable[[float, float], float],
     # In the room: (r' - R w) along the finger and r w across it.
     given = [r0, RADIUS, v0 - RADIUS * RATE, r0 * RATE, spin0]
     done = solve_ivp(motion, (0.0, end), given, method="LSODA", t_eval=TIMES, rtol=1e-9, atol=1e-11)
-    return done.y[0] * np.cos(RATE * done.t) + done.y[1] * np.sin(RATE * done.t)
+    return done.y[0] * np.cos(RATE * done.t) + done.y[1] * np.sin(RATE * done.t), done.y[4]
 
 
 def test_the_printed_laws_are_those_without_an_initial_speed():
@@ -75,12 +82,22 @@ def test_rolling_against_a_stiff_spring_with_much_friction():
 @pytest.mark.parametrize(("spin", "sign"), [(40.0, 1.0), (-60.0, -1.0)])
 def test_sliding_against_a_stiff_spring(spin, sign):
     mu, speed = 0.15, 0.12
-    slow = pressed((R0, speed, spin), lambda slip, force: -force * mu * np.tanh(slip / 1e-4), TIMES[-1])
+    start = (R0, speed, spin)
+    slow, spun = pressed_and_spun(start, lambda slip, force: -force * mu * np.tanh(slip / 1e-4), TIMES[-1])
     found = contact.sliding(TIMES, RATE, R0, speed, sign * mu, RADIUS)
     spins = contact.sliding_spin(TIMES, RATE, found.distance - R0, spin, sign * mu, RADIUS)
     still = sign * contact.slip(RATE, found.speed, spins, RADIUS) > 0.0
     assert still.sum() >= 5, "the disk slides for a while"
     assert found.distance[still] == pytest.approx(slow[still], rel=5e-4)
+    assert spins[still] == pytest.approx(spun[still], rel=2e-3)
+
+
+def test_the_friction_that_rolling_takes_is_that_of_its_own_acceleration():
+    t, dt = np.linspace(0.1, 0.6, 6), 1e-4
+    before, (r, v), after = (contact.rolling(t + each, RATE, R0, 0.1) for each in (-dt, 0.0, dt))
+    along = (after.distance - 2.0 * r + before.distance) / dt**2 - RATE**2 * r
+    needed = np.abs(along) * MASS / contact.normal_force(RATE, v, RADIUS, MASS)
+    assert contact.rolling_friction(RATE, r, v, RADIUS) == pytest.approx(needed, rel=1e-5)
 
 
 def test_the_finger_does_the_work_that_the_disk_gains():
