@@ -15,11 +15,14 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, PathPatch, Polygon, Wedge
 from matplotlib.path import Path
 from numpy.typing import NDArray
+from shapely import box
 
 from palmar.geometry.planar_set import areal
+from palmar.mechanics.impact.three_impacts_4_2_1 import construction
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOVING, hand_motion, place_links
 from palmar.mechanics.pushing.uniform_disk import secant_ratio
 from palmar.regions.certified import certified_sets
+from palmar.regions.three_impacts_4_2_1 import contact_points, three_impact_sets
 
 Floats = NDArray[np.float64]
 HERE = File(__file__).resolve().parent
@@ -400,6 +403,38 @@ def certified() -> None:
     save(figure, "certified")
 
 
+def free() -> None:
+    """The disk of three impacts, and the centre regions of both constructions in the right half plane."""
+    half_palm, length, radius = 6.0, 24.4, 3.8
+    figure, axes = panels(2, 8.4, 4.2)
+    right = construction(half_palm, length, radius)
+    assert right is not None
+    for axis in axes:
+        axis.plot([0, half_palm], [0, 0], color=INK, lw=4, solid_capstyle="butt")
+    centres = []
+    turns = (right.first_angle, right.second_angle, right.end)
+    for r, psi in zip((right.first, right.second, right.third), turns, strict=True):
+        along, normal = np.array([np.cos(psi), np.sin(psi)]), np.array([-np.sin(psi), np.cos(psi)])
+        base = np.array([half_palm, 0.0])
+        axes[0].plot(*np.stack([base, base + length * along]).T, color=INK, lw=2)
+        centres.append(base + r * along + radius * normal)
+        axes[0].plot(*(base + r * along), "o", color=FORCE, ms=5, zorder=5)
+        axes[0].add_patch(Circle(centres[-1], radius, fill=False, ec=DISK, lw=1.5))
+    axes[0].plot(*np.array(centres).T, color=DISK, lw=1, ls="--")
+    for published, colour in ((True, FORCE), (False, REGION)):
+        region_at = three_impact_sets(half_palm, length, radius, 0.0, 1e-3, published=published).centre
+        half = areal(region_at & box(0.0, 0.0, length, 2.0 * length))
+        line = np.asarray(half.geoms[0].exterior.coords)
+        axes[1].fill(*line.T, color=colour, alpha=0.25, lw=0)
+        axes[1].plot(*line.T, color=colour, lw=1.5)
+        numbers = construction(half_palm, length, radius, published=published)
+        assert numbers is not None
+        axes[1].plot(*contact_points(half_palm, numbers).T, color=colour, lw=0.8, marker="o", ms=3)
+    for axis in axes:
+        axis.set(xlim=(-4.5, 31.0), ylim=(-1.0, 29.0))
+    save(figure, "zero_gravity")
+
+
 def main() -> None:
     """Write all figures."""
     plt.switch_backend("svg")
@@ -410,6 +445,7 @@ def main() -> None:
     closing()
     fingertip()
     certified()
+    free()
 
 
 if __name__ == "__main__":

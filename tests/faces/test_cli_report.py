@@ -48,7 +48,7 @@ def test_cases_are_listed_and_printed(palmar):
 def test_the_sources_figures_are_drawn(palmar, tmp_path):
     files = palmar("figures", "--out", tmp_path, "--json").record["files"]
     numbers = {re.search(r"(\d_\d)", name).group(1) for name in files}
-    assert numbers == {"2_1", "2_2", "2_3", "2_4", "2_5", "2_6", "2_7", "2_8", "3_2", "3_3"}
+    assert numbers == {"2_1", "2_2", "2_3", "2_4", "2_5", "2_6", "2_7", "2_8", "3_2", "3_3", "4_4"}
 
 
 def test_regions_of_different_kinds_stand_side_by_side(palmar, tmp_path):

@@ -106,8 +106,8 @@ def comparison_record(result: Comparison) -> dict[str, Any]:
                 "area_m2": float(each.where.area),
                 "where": coordinates(each.where),
                 "start_m": list(each.start),
-                "outcome": each.outcome.value,
-                "end_m": list(each.end),
+                "outcome": None if each.outcome is None else each.outcome.value,
+                "end_m": None if each.end is None else list(each.end),
             }
             for each in result.differences
         ],

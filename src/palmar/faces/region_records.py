@@ -155,7 +155,9 @@ def validity_record(given: Validity) -> Record:
         }
     return {
         "quasi_static": quasi_static,
-        "toppling": {"edge_m": given.toppling.edge, "push_height_m": given.toppling.height},
+        "toppling": None
+        if given.toppling is None
+        else {"edge_m": given.toppling.edge, "push_height_m": given.toppling.height},
         "pressure_offset": None
         if offset is None
         else {**_metres(asdict(offset)), "lost_per_offset": offset.lost_per_offset},

@@ -146,12 +146,12 @@ def validity_lines(given: Validity) -> Iterator[str]:
         )
         if slow.squeeze_speed > slow.push_speed:
             yield f"Between both fingers, or finger and palm, it then moves at up to {slow.squeeze_speed:.2g} m/s."
-    height = given.toppling.height
-    yield (
-        f"It topples if pushed above {_mm(height)} mm."
-        if isfinite(height)
-        else "It cannot topple: nothing holds it back."
-    )
+    if given.toppling is None:
+        yield "At rest in free space it fares alike at any closing rate, and at any mass where nothing slows the fingers."
+    elif isfinite(given.toppling.height):
+        yield f"It topples if pushed above {_mm(given.toppling.height)} mm."
+    else:
+        yield "It cannot topple: nothing holds it back."
     if given.offset is not None:
         yield (
             f"With the pressure's centre {_mm(given.offset.offset)} mm off, {1e3 * given.offset.allowed:.1f} mm of error "

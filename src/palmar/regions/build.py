@@ -9,7 +9,7 @@ from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
-from palmar.models.hand import Fingers
+from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
 from palmar.regions.published_3_3_1 import PublishedSets, published_sets
@@ -43,8 +43,12 @@ def build_region(
         if orientations is not None:
             case = case.model_copy(update={"start": case.start.model_copy(update={"theta": orientations[0]})})
         return arm_region(case, closure, tolerance)
-    if model is Model.PUBLISHED:
+    if model is Model.PUBLISHED and case.support.kind is SupportKind.TABLE:
         return published_region(case, closure)
+    if model is not Model.EXACT:
+        from palmar.regions.free import free_region
+
+        return free_region(case, model)
     from palmar.regions.exact import exact_region
 
     return exact_region(case, closure, tolerance, orientations, tolerance)
@@ -100,10 +104,16 @@ def _held(case: Case, radius: float, alpha: float) -> bool:
 
 def _left_out(case: Case, alpha: float) -> tuple[str, ...]:
     """What the construction does not take into account, for this case."""
-    hand = case.hand
+    notes = ["with friction some promised starts are lost; the structural region is sound"] if alpha > 0.0 else []
+    notes += hand_left_out(case.hand)
+    if case.support.pressure_centre != (0.0, 0.0):
+        notes.append("the offset of the centre of pressure is ignored")
+    return tuple(notes)
+
+
+def hand_left_out(hand: Hand) -> list[str]:
+    """What both of the source's constructions ignore of this hand."""
     notes = []
-    if alpha > 0.0:
-        notes.append("with friction some promised starts are lost; the structural region is sound")
     if len(hand.finger_links) > 1:
         notes.append(f"the {len(hand.finger_links)} links of a finger are kept straight")
     if hand.finger_thickness > 0.0:
@@ -112,6 +122,4 @@ def _left_out(case: Case, alpha: float) -> tuple[str, ...]:
         notes.append("fingers are taken to pass each other")
     if hand.joint_limits is not None:
         notes.append("joint limits are ignored")
-    if case.support.pressure_centre != (0.0, 0.0):
-        notes.append("the offset of the centre of pressure is ignored")
-    return tuple(notes)
+    return notes

@@ -70,13 +70,13 @@ def published_sets(
     centre_line, centre_bound = Spiral((half_palm, 0.0), along, radius, radius, start, numbers.end).flattened(tolerance)
     contact_line, contact_bound = Spiral((half_palm, 0.0), along, radius, 0.0, start, numbers.end).flattened(tolerance)
     reach = half_palm + finger_length + radius
-    centre = areal(shapely.intersection(_closed(centre_line), _in_front(half_palm, opening, radius, reach)))
-    contact = areal(shapely.intersection(_closed(contact_line), _in_front(half_palm, opening, 0.0, reach)))
+    centre = areal(shapely.intersection(closed_by_chord(centre_line), in_front(half_palm, opening, radius, reach)))
+    contact = areal(shapely.intersection(closed_by_chord(contact_line), in_front(half_palm, opening, 0.0, reach)))
     whole, grown_bound = grown(centre, radius, tolerance)
     return PublishedSets(centre, contact, whole, max(centre_bound + grown_bound, contact_bound))
 
 
-def _closed(line: NDArray[np.float64]) -> MultiPolygon:
+def closed_by_chord(line: NDArray[np.float64]) -> MultiPolygon:
     """Both halves enclosed by the axis, the boundary curve and the horizontal chord from its end to the axis."""
     bottom = min(float(line[:, 1].min()), 0.0) - 1.0
     right = outline(np.concatenate([line, [[0.0, line[-1, 1]], [0.0, bottom], [line[0, 0], bottom]]]))
@@ -84,7 +84,7 @@ def _closed(line: NDArray[np.float64]) -> MultiPolygon:
     return with_mirror_image(shapely.intersection(right, right_half))
 
 
-def _in_front(half_palm: float, opening: float, gap: float, reach: float) -> BaseGeometry:
+def in_front(half_palm: float, opening: float, gap: float, reach: float) -> BaseGeometry:
     """What lies in front of the palm line and of both open fingers' lines, at distance ``gap`` or more."""
     far = 8.0 * reach
     tangent, normal = np.array([cos(opening), sin(opening)]), np.array([-sin(opening), cos(opening)])

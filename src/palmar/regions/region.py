@@ -19,7 +19,9 @@ class Model(Enum):
     EXACT = "exact"
     """The stated mechanics solved; the region given is the inner side of its error band."""
     PUBLISHED = "published"
-    """The source's construction (section 3.3.1), joined to the axis by a chord."""
+    """The source's construction (on a table section 3.3.1, free 4.2.1), joined to the axis by a chord."""
+    CORRECTED = "corrected"
+    """That of section 4.2.1 with the right sign in equation 4.9; for free objects only."""
 
 
 @dataclass(frozen=True)

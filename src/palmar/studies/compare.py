@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import shapely
 from shapely import MultiPolygon
 
+from palmar.errors import NotCoveredError
 from palmar.geometry.planar_set import areal
 from palmar.models.case import Case
 from palmar.models.closure import Closure
@@ -22,14 +23,17 @@ LEAST = 1e-4
 
 @dataclass(frozen=True)
 class Difference:
-    """Where ``promised_by`` says caught and ``denied_by`` does not: the set (m), a start well inside it, how that ends."""
+    """Where ``promised_by`` says caught and ``denied_by`` does not: the set (m), a start well inside it, how that ends.
+
+    ``outcome`` and ``end`` (m) are None where nothing here carries such an object.
+    """
 
     promised_by: Model
     denied_by: Model
     where: MultiPolygon
     start: tuple[float, float]
-    outcome: Outcome
-    end: tuple[float, float]
+    outcome: Outcome | None
+    end: tuple[float, float] | None
 
 
 @dataclass(frozen=True)
@@ -57,5 +61,8 @@ def _difference(case: Case, one: Region, other: Region) -> Difference | None:
     largest = max(where.geoms, key=lambda part: part.area)
     point = shapely.get_point(shapely.maximum_inscribed_circle(largest), 0)
     start = float(point.x), float(point.y)
-    result = simulate_start(case, start)
+    try:
+        result = simulate_start(case, start)
+    except NotCoveredError:
+        return Difference(one.model, other.model, where, start, None, None)
     return Difference(one.model, other.model, where, start, result.outcome, result.pose[:2])

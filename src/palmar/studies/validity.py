@@ -18,6 +18,7 @@ from palmar.mechanics.pushing.inertia import coasting, drift, inertia_ratio, rat
 from palmar.mechanics.pushing.toppling import nearest_edge, toppling_height
 from palmar.models.case import Case
 from palmar.models.objects import Disk
+from palmar.models.support import SupportKind
 from palmar.regions.region import Region
 from palmar.studies.pace import Pace, pace
 from palmar.studies.pressure_offset import OffsetEffect
@@ -70,10 +71,13 @@ class Toppling:
 
 @dataclass(frozen=True)
 class Validity:
-    """What must hold for the region to apply; ``offset`` only where asked for, ``uncovered`` says why a part is missing."""
+    """What must hold for the region to apply; ``offset`` only where asked for, ``uncovered`` says why a part is missing.
+
+    A free object neither slides nor topples: both are None. At rest it fares alike at any rate of the fingers.
+    """
 
     quasi_static: QuasiStatic | None
-    toppling: Toppling
+    toppling: Toppling | None
     offset: OffsetEffect | None = None
     uncovered: tuple[str, ...] = ()
 
@@ -81,10 +85,13 @@ class Validity:
 def validity(
     case: Case, region: Region | None, offset: OffsetEffect | None = None, refused: tuple[str, ...] = ()
 ) -> Validity:
-    """The numbers for a case on a table; of numbers given as ranges the worst end, or the middle where none is worst.
+    """The numbers for a case on a table, none for a free object.
 
-    ``offset`` and ``refused`` are what a question about the pressure's centre gave, or why it gave nothing.
+    Of numbers given as ranges the worst end, or the middle where none is worst. ``offset`` and
+    ``refused`` are what a question about the pressure's centre gave, or why it gave nothing.
     """
+    if case.support.kind is SupportKind.FREE:
+        return Validity(None, None, offset, refused)
     table = _limits(case, ("support", "friction"), case.support.friction)
     plain = case.model_copy(update={"ranges": (), "support": case.support.model_copy(update={"friction": table[0]})})
     quasi_static, acceleration, uncovered = None, 0.0, list(refused)

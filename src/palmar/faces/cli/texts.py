@@ -41,10 +41,11 @@ def comparison_text(result: Comparison) -> str:
     lines = [table([("model", "area of the centre region", "guarantee"), *rows]), ""]
     for each in result.differences:
         x, y = (1e3 * value for value in each.start)
-        verb = "promises" if not each.outcome.caught else "finds"
+        found = each.outcome is not None and each.outcome.caught
+        seen = "" if each.outcome is None else f"; from ({x:.2f}, {y:.2f}) mm, simulated: {each.outcome.value}"
         lines.append(
-            f"{each.promised_by.value} {verb} {1e4 * each.where.area:.4g} cm2 that {each.denied_by.value} does not;"
-            f" from ({x:.2f}, {y:.2f}) mm, simulated: {each.outcome.value}."
+            f"{each.promised_by.value} {'finds' if found else 'promises'} {1e4 * each.where.area:.4g} cm2 that "
+            f"{each.denied_by.value} does not{seen}."
         )
     return "\n".join(lines if result.differences else [*lines, "They do not differ."])
 

@@ -19,8 +19,9 @@ _LOOKS = ((Role.CENTRE, "-", True), (Role.DIMENSION, (0, (4, 1.5)), False), (Rol
 
 def compare_picture(case: Case, comparison: Comparison) -> Figure:
     """All regions of the comparison in the hand's frame; broken promises filled, each with a start that shows it."""
-    broken = [each for each in comparison.differences if not each.outcome.caught]
-    kept = [each for each in comparison.differences if each.outcome.caught]
+    broken = [each for each in comparison.differences if each.outcome is not None and not each.outcome.caught]
+    kept = [each for each in comparison.differences if each.outcome is not None and each.outcome.caught]
+    untried = [each for each in comparison.differences if each.outcome is None]
     lost = Band(Role.LOST, "promised, but lost", 2.0, dashes=(0, (2.5, 1.5)))
     more = Band(Role.HELD, "caught, but not promised", 1.0, dashes=(0, (1, 1)))
     models = [
@@ -32,7 +33,7 @@ def compare_picture(case: Case, comparison: Comparison) -> Figure:
     page = sheet(
         [[_extent(case, comparison)]],
         title="Where the object may start: two models compared",
-        footer=" ".join(map(_sentence, broken)),
+        footer=" ".join(map(_sentence, [*broken, *untried])),
         room=Room(Pad(4.0, 8.0, 4.0, 4.0), sides=Pad(bottom=LEGEND_ROW * rows + 2.0)),
     )
     axes = page.panels[0][0]
@@ -43,9 +44,10 @@ def compare_picture(case: Case, comparison: Comparison) -> Figure:
     for each in broken:
         draw_area(axes, each.where, lost)
         draw_object(axes, case.object, each.start, case.start.theta, fill=0.5)
-        draw_object(axes, case.object, each.end, case.start.theta, role=Role.GHOST, fill=0.3)
         label(axes, each.start, "starts here", (9.0, 5.0))
-        label(axes, each.end, f"ends here: {each.outcome.value}", (9.0, 5.0))
+        if each.end is not None and each.outcome is not None:
+            draw_object(axes, case.object, each.end, case.start.theta, role=Role.GHOST, fill=0.3)
+            label(axes, each.end, f"ends here: {each.outcome.value}", (9.0, 5.0))
     draw_hand(axes, case.hand, case.hand.open)
     legend(page, (MARGIN, page.box(axes).bottom), bands)
     return page.figure
@@ -57,10 +59,13 @@ def _words(region: Region) -> str:
 
 def _sentence(each: Difference) -> str:
     x, y = (1e3 * value for value in each.start)
-    return (
+    promise = (
         f"The {each.promised_by.value} model promises {square_millimetres(each.where.area)} that the "
-        f"{each.denied_by.value} one denies; simulated from ({x:.1f}, {y:.1f}) mm the object ends {each.outcome.value}."
+        f"{each.denied_by.value} one denies"
     )
+    if each.outcome is None:
+        return f"{promise}."
+    return f"{promise}; simulated from ({x:.1f}, {y:.1f}) mm the object ends {each.outcome.value}."
 
 
 def _extent(case: Case, comparison: Comparison) -> Extent:
@@ -71,6 +76,7 @@ def _extent(case: Case, comparison: Comparison) -> Extent:
         if not region.centre.is_empty:
             extent = extent.joined(Extent(*region.centre.bounds))
     size = object_reach(case.object)
-    for x, y in [place for each in comparison.differences for place in (each.start, each.end)]:
+    shown = [each for each in comparison.differences if each.outcome is not None]
+    for x, y in [place for each in shown for place in (each.start, each.end) if place is not None]:
         extent = extent.joined(Extent(x - size, y - size, x + size, y + size))
     return extent

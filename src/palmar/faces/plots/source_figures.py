@@ -16,6 +16,7 @@ from palmar.faces.plots.source_chapter_2 import (
     structural_closure,
 )
 from palmar.faces.plots.source_chapter_3 import pre_image, spiral_coordinates
+from palmar.faces.plots.source_chapter_4 import zero_gravity_pre_image
 from palmar.faces.plots.source_polygons import any_orientation, particular_orientations
 from palmar.faces.plots.style import save
 
@@ -30,6 +31,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "2.8": particular_orientations,
     "3.2": pre_image,
     "3.3": spiral_coordinates,
+    "4.4": zero_gravity_pre_image,
 }
 
 
