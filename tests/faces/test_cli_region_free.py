@@ -2,7 +2,7 @@
 
 import pytest
 
-NAME = "chapter4_example"
+NAME = "zero_g_example"
 
 
 @pytest.mark.parametrize(("model", "area"), [("published", 0.0196), ("corrected", 0.02704)])

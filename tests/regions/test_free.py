@@ -10,7 +10,7 @@ from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
 from palmar.regions.region import Model
 
-EXAMPLE = open_case("chapter4_example")[1]
+EXAMPLE = open_case("zero_g_example")[1]
 TEXT = '[hand]\npalm_width_mm = {palm}\nfinger_links_mm = [244]\n[object]\nradius_mm = {radius}\n[support]\nkind = "free"\n'
 
 

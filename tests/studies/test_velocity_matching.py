@@ -13,7 +13,7 @@ from palmar.regions.region import Model
 from palmar.studies.velocity_matching import Carriage, Tracking, closing_time, fastest, velocity_matching
 from reference.slow_free_flight import caught, verdict_angle
 
-CASE = open_case("chapter4_example")[1]
+CASE = open_case("zero_g_example")[1]
 REGION = build_region(CASE, Model.CORRECTED)
 CIRCLE = REGION.allowed_error
 TIME = closing_time(CASE)
