@@ -11,6 +11,7 @@ can reach, is extrapolated from where the loads are ``PINCHING``.
 
 from __future__ import annotations
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_events import STALLS, note, note_touches
 from palmar.mechanics.pushing.closing_motion import (
     LEFT,
@@ -30,7 +31,6 @@ from palmar.mechanics.pushing.closing_motion import (
     to_object,
     write_contacts,
 )  # fmt: skip
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of
 from palmar.mechanics.pushing.polygon_contacts import Body, link_of
 
