@@ -50,7 +50,7 @@ from palmar.mechanics.impact.enclosed import enclosed_for_good, enclosed_now
 from palmar.mechanics.impact.finger_motion import CaptureHand, Floats, begin_phase
 from palmar.mechanics.impact.holding import follow_held, foot_within
 from palmar.mechanics.impact.next_contact import NOTHING, SKIN, next_contact
-from palmar.mechanics.impact.settling import look, settle, spanned
+from palmar.mechanics.impact.settling import look, pressed_from_all_sides, settle, still_between
 from palmar.models.outcome import Outcome
 
 CAGED, STRUCTURAL, JAMMED = Outcome.CAGED.code, Outcome.STRUCTURAL.code, Outcome.JAMMED.code
@@ -59,8 +59,10 @@ ESCAPED, MISSED, INVALID, UNDECIDED = (
 )  # fmt: skip
 MOST_EVENTS = 20_000
 """Losses near the throat of a hand that shuts take hundreds of impacts at e = 1."""
-MOST_AT_ONCE = 300
-"""Impacts without time between them after which the fingers are taken to press on the disk from all sides."""
+MOST_AT_ONCE = 60
+"""Impacts without time between them after which their limit is taken."""
+AT_ONCE, NEAR = 1e-13, 1e-9
+"""Part of the time so far that is no time; gap, in reaches, of contacts that then count as touching."""
 SLOW = 1e-12
 """Speed, in reaches times the largest rate, that is rest once all fingers rest."""
 END_WIDTH = 7
@@ -146,10 +148,12 @@ def _shut(hand: CaptureHand, at: Bench) -> bool:
 
 @compiled
 def _pressed(hand: CaptureHand, at: Bench, reach: float) -> int:
-    """The outcome where impacts follow each other without time between them."""
+    """The outcome if the fingers press on the disk from all sides, -1 if they do not."""
     s = at.state
-    count = look(hand, at, 1e-7 * reach)
-    if spanned(at, count):
+    count = look(hand, at, NEAR * reach)
+    if not pressed_from_all_sides(at, count):
+        return -1
+    if count >= 3:
         return STRUCTURAL
     return CAGED if enclosed_now(hand, at.fingers, s[T], s[X], s[Y], at.chain) else JAMMED
 
@@ -157,11 +161,11 @@ def _pressed(hand: CaptureHand, at: Bench, reach: float) -> int:
 @compiled
 def run(hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, most_events: int, reach: float, fastest: float) -> int:
     """Carry the state to its end; returns the outcome's code."""
-    s, last = at.state, len(hand.times) - 1
+    s, last, frictional = at.state, len(hand.times) - 1, law.friction > 0.0
     if _shut(hand, at):
         return CAGED
-    settle(hand, at, e, 0.0, -1, law.friction > 0.0, reach)
-    since, at_once = s[T], 0
+    settle(hand, at, e, 0.0, -1, frictional, reach)
+    since, at_once, b1, f1, s1 = s[T], 0, -1, 0, 0
     for _ in range(most_events):
         until = hand.times[int(s[PHASE]) + 1] if s[PHASE] < last else inf
         if s[MODE] == FLIGHT:
@@ -174,22 +178,26 @@ def run(hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, most_events: int
             body, feature, side, still = follow_held(hand, law, at, until, reach, most_events)
             if not still:
                 b, what, _ = held(at, 0)
-                settle(hand, at, e, 0.0, b, law.friction > 0.0, reach)
+                settle(hand, at, e, 0.0, b, frictional, reach)
                 note(at, LEAVES, b, what, s[VX], s[VY], s[SPIN])
                 continue
         if body >= 0:
             strike(hand, law, at, e, body, feature, side, reach)
-            at_once = at_once + 1 if s[T] - since <= 1e-13 * s[T] else 0
-            since = s[T]
+            at_once = at_once + 1 if s[T] - since <= AT_ONCE * s[T] else 0
             if at_once > MOST_AT_ONCE:
-                return _pressed(hand, at, reach)
+                code, at_once = _pressed(hand, at, reach), 0
+                if code >= 0:
+                    return code
+                if e < 1.0 and b1 >= 0 and (b1 != body or f1 != feature):
+                    still_between(hand, at, e, frictional, reach, b1, f1, s1, body, feature, side)
+            since, b1, f1, s1 = s[T], body, feature, side
         elif body == NOTHING and s[T] >= until:
             s[PHASE] += 1.0
             if _shut(hand, at):
                 note(at, SHUTS, -1, 0, s[VX], s[VY], s[SPIN])
                 return CAGED
             if s[MODE] != FLIGHT:
-                settle(hand, at, e, 0.0, held(at, 0)[0], law.friction > 0.0, reach)
+                settle(hand, at, e, 0.0, held(at, 0)[0], frictional, reach)
     return UNDECIDED
 
 

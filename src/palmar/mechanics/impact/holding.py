@@ -33,6 +33,9 @@ from palmar.mechanics.impact.sliding import from_link, pivot_by_steps, slide_by_
 STRIDE = 0.03
 """Longest step in sustained contact (rad of the fastest link)."""
 HALVINGS = 60
+LEAST = 1e-15
+"""Least step, in times so far or times that a radian takes."""
+NEWTON_STEPS = 6
 
 
 @compiled
@@ -47,19 +50,30 @@ def fastest_rate(hand: CaptureHand, fingers: Floats) -> float:
 
 @compiled
 def place_between(hand: CaptureHand, at: Bench) -> None:
-    """Put the disk where the two held lines make it touch both, with the velocity that keeps it there."""
+    """Put the disk where it touches both held contacts, with the velocity that keeps it there."""
     s = at.state
     b1, f1, s1 = held(at, 0)
     b2, f2, s2 = held(at, 1)
-    gap1, _ = gap_at(hand, at.fingers, b1, f1, s1, s[T], s[X], s[Y])
-    gap2, _ = gap_at(hand, at.fingers, b2, f2, s2, s[T], s[X], s[Y])
-    nx, ny, _, _, _ = wall_at(hand, at.fingers, b1, f1, s1, s[T], s[X], s[Y])
-    mx, my, _, _, _ = wall_at(hand, at.fingers, b2, f2, s2, s[T], s[X], s[Y])
-    det = nx * my - ny * mx
-    s[X], s[Y] = s[X] - (gap1 * my - gap2 * ny) / det, s[Y] - (gap2 * nx - gap1 * mx) / det
-    _, _, wx, wy, _ = wall_at(hand, at.fingers, b1, f1, s1, s[T], s[X], s[Y])
-    _, _, zx, zy, _ = wall_at(hand, at.fingers, b2, f2, s2, s[T], s[X], s[Y])
-    w, z = nx * wx + ny * wy, mx * zx + my * zy
+    points = f1 != SIDE or f2 != SIDE
+    for _ in range(NEWTON_STEPS if points else 2):
+        gap1, _ = gap_at(hand, at.fingers, b1, f1, s1, s[T], s[X], s[Y])
+        gap2, _ = gap_at(hand, at.fingers, b2, f2, s2, s[T], s[X], s[Y])
+        nx, ny, _, _, _ = wall_at(hand, at.fingers, b1, f1, s1, s[T], s[X], s[Y])
+        mx, my, _, _, _ = wall_at(hand, at.fingers, b2, f2, s2, s[T], s[X], s[Y])
+        det = nx * my - ny * mx
+        s[X], s[Y] = s[X] - (gap1 * my - gap2 * ny) / det, s[Y] - (gap2 * nx - gap1 * mx) / det
+    move_between(hand, at)
+
+
+@compiled
+def move_between(hand: CaptureHand, at: Bench) -> None:
+    """Give the disk the velocity with which both held contacts' gaps stay as they are."""
+    s = at.state
+    b1, f1, s1 = held(at, 0)
+    b2, f2, s2 = held(at, 1)
+    nx, ny, wx, wy, _ = wall_at(hand, at.fingers, b1, f1, s1, s[T], s[X], s[Y])
+    mx, my, zx, zy, _ = wall_at(hand, at.fingers, b2, f2, s2, s[T], s[X], s[Y])
+    w, z, det = nx * wx + ny * wy, mx * zx + my * zy, nx * my - ny * mx
     s[VX], s[VY] = (w * my - z * ny) / det, (z * nx - w * mx) / det
 
 
@@ -218,7 +232,7 @@ def follow_held(
             return body, feature, side, True
         t, x, y, vx, vy, spin = s[T], s[X], s[Y], s[VX], s[VY], s[SPIN]
         if t + step == t:
-            step = 4e-16 * max(t, 1.0 / fastest if fastest > 0.0 else 1.0)
+            step = LEAST * max(t, 1.0 / fastest if fastest > 0.0 else t)
         advance_held(hand, law, at, step, reach)
         if s[T] >= until - 1e-15 * until:
             s[T] = until
@@ -230,6 +244,6 @@ def follow_held(
                 advance_held(hand, law, at, middle, reach)
                 low, high = (middle, high) if holds(hand, at) else (low, middle)
             _go_back(at, t, x, y, vx, vy, spin)
-            advance_held(hand, law, at, high, reach)
+            advance_held(hand, law, at, max(high, LEAST * max(t, 1.0 / fastest if fastest > 0.0 else t)), reach)
             return NOTHING, SIDE, 1, False
     return NOTHING, SIDE, 1, True

@@ -31,6 +31,8 @@ TOUCH = 1e-14
 SKIN = 1e-10
 """Overlap, in reaches, that is still a touch."""
 MOST_STEPS = 400
+EVERY_BODY = -2
+"""Instead of a body that was just left: all that touch."""
 NOTHING, UNSURE = -1, -2
 """Instead of a body: no contact; none before the time returned, from which the search must go on."""
 
@@ -191,7 +193,8 @@ def next_contact(
             continue
         for j in range(n):
             b = 1 + f * n + j
-            low, high = max(enter, left_until) if b == left_body else enter, min(leave, best)
+            left = b == left_body or left_body == EVERY_BODY
+            low, high = max(enter, left_until) if left else enter, min(leave, best)
             if low >= high:
                 continue
             until, bound = t + high - finger[0], 0.0

@@ -30,8 +30,8 @@ from palmar.mechanics.impact.capture_state import (
 )
 from palmar.mechanics.impact.contact_view import BASE, END, PALM, SIDE, demand, gap_at, wall_at
 from palmar.mechanics.impact.finger_motion import CaptureHand
-from palmar.mechanics.impact.holding import fastest_rate, foot_within, place_between
-from palmar.mechanics.impact.next_contact import TOUCH
+from palmar.mechanics.impact.holding import fastest_rate, foot_within, move_between, place_between
+from palmar.mechanics.impact.next_contact import EVERY_BODY, TOUCH
 
 HOP = 1e-12
 """Height of hops, in reaches, that are sustained contact if e < 1."""
@@ -92,7 +92,7 @@ def _two(hand: CaptureHand, at: Bench, count: int, hop: float, slow: float) -> b
             one, other = at.touching[i], at.touching[j]
             cosine = one[3] * other[3] + one[4] * other[4]
             square = 1.0 - cosine * cosine
-            if one[1] != SIDE or other[1] != SIDE or square < 1e-12:
+            if square < 1e-12:
                 continue
             first, second = (one[5] - cosine * other[5]) / square, (other[5] - cosine * one[5]) / square
             if not (_slow_enough(one[6], first, hop) and _slow_enough(other[6], second, hop)):
@@ -139,13 +139,13 @@ def settle(hand: CaptureHand, at: Bench, e: float, parting: float, body: int, fr
     count = look(hand, at, 4.0 * hop + 10.0 * TOUCH * reach)
     if (not frictional and _two(hand, at, count, hop, slow)) or _one(hand, at, count, hop, slow):
         return
-    s[LEFT_BODY] = body
+    s[LEFT_BODY] = body if count <= 1 else EVERY_BODY
     s[LEFT_UNTIL] = sqrt(0.5 * TOUCH * reach / scale) if scale > 0.0 else inf
 
 
 @compiled
-def spanned(at: Bench, count: int) -> bool:
-    """Whether the normals of the touching contacts positively span the plane: the widest angle between two is below pi."""
+def pressed_from_all_sides(at: Bench, count: int) -> bool:
+    """Whether no direction leads away from all touching contacts: no two neighbouring normals are more than pi apart."""
     for i in range(count):
         following = 2.0 * pi
         for k in range(count):
@@ -153,6 +153,20 @@ def spanned(at: Bench, count: int) -> bool:
             turn = atan2(one[3] * other[4] - one[4] * other[3], one[3] * other[3] + one[4] * other[4])
             turn = turn if turn > 1e-9 else turn + 2.0 * pi
             following = min(following, turn)
-        if following >= pi - 1e-9:
+        if following > pi + 1e-9:
             return False
-    return count >= 3
+    return count >= 2
+
+
+@compiled
+def still_between(
+    hand: CaptureHand, at: Bench, e: float, frictional: bool, reach: float,
+    b1: int, f1: int, s1: int, b2: int, f2: int, s2: int,
+) -> None:  # fmt: skip
+    """The limit of impacts to and fro between two contacts without time between them, for e < 1: neither is approached."""
+    for k in range(2):
+        row = at.touching[k]
+        row[0], row[1], row[2] = (b1, f1, s1) if k == 0 else (b2, f2, s2)
+        hold(at, k, k)
+    move_between(hand, at)
+    settle(hand, at, e, 0.0, b2, frictional, reach)
