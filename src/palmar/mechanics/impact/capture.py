@@ -26,6 +26,7 @@ from palmar.mechanics.impact.capture_state import (
     LANDS,
     LEAVES,
     LEFT_BODY,
+    LEFT_OTHER,
     LEFT_UNTIL,
     LOGGED,
     MODE,
@@ -114,13 +115,24 @@ def _fly(hand: CaptureHand, at: Bench, until: float, reach: float) -> tuple[int,
     """Fly to the next contact, or ``until``: (body, feature, side, whether there is a next event)."""
     s = at.state
     tau, body, feature, side = next_contact(
-        hand, at.fingers, s[T], s[X], s[Y], s[VX], s[VY], until - s[T], reach, int(s[LEFT_BODY]), s[LEFT_UNTIL]
+        hand,
+        at.fingers,
+        s[T],
+        s[X],
+        s[Y],
+        s[VX],
+        s[VY],
+        until - s[T],
+        reach,
+        int(s[LEFT_BODY]),
+        int(s[LEFT_OTHER]),
+        s[LEFT_UNTIL],
     )
     if body == NOTHING and until == inf:
         return body, feature, side, False
     s[X], s[Y] = s[X] + s[VX] * tau, s[Y] + s[VY] * tau
     s[T] = until if body == NOTHING else s[T] + tau
-    s[LEFT_BODY] = -1.0
+    s[LEFT_BODY], s[LEFT_OTHER] = -1.0, -1.0
     return body, feature, side, True
 
 
@@ -210,7 +222,8 @@ def capture_on(
     s = at.state
     for k in range(STATE_WIDTH):
         s[k] = 0.0
-    s[X], s[Y], s[VX], s[VY], s[SPIN], s[T], s[LEFT_BODY] = x, y, vx, vy, spin, hand.times[0], -1.0
+    s[X], s[Y], s[VX], s[VY], s[SPIN], s[T] = x, y, vx, vy, spin, hand.times[0]
+    s[LEFT_BODY], s[LEFT_OTHER] = -1.0, -1.0
     begin_phase(hand, 0, at.fingers)
     reach = hand.half_palm + hand.lengths.sum() + hand.half_thickness + hand.radius
     fastest = hypot(vx, vy) / reach

@@ -31,8 +31,6 @@ TOUCH = 1e-14
 SKIN = 1e-10
 """Overlap, in reaches, that is still a touch."""
 MOST_STEPS = 400
-EVERY_BODY = -2
-"""Instead of a body that was just left: all that touch."""
 NOTHING, UNSURE = -1, -2
 """Instead of a body: no contact; none before the time returned, from which the search must go on."""
 
@@ -173,11 +171,12 @@ def _still_contact(
 @compiled
 def next_contact(
     hand: CaptureHand, fingers: Floats, t: float, x: float, y: float, vx: float, vy: float, horizon: float,
-    reach: float, left_body: int, left_until: float,
+    reach: float, left_body: int, left_other: int, left_until: float,
 ) -> tuple[float, int, int, int]:  # fmt: skip
     """(time from t, body, feature, side) of the first contact within ``horizon``; body NOTHING or UNSURE instead.
 
-    The body ``left_body`` is known not to touch again before ``left_until`` (s from t): it was just left without speed.
+    The bodies ``left_body`` and ``left_other`` are known not to touch again before ``left_until`` (s from t): they were
+    just left without speed.
     """
     best, body, feature, side = _still_contact(hand, x, y, vx, vy, horizon, SKIN * reach)
     n, small, speed = len(hand.lengths), TOUCH * reach, hypot(vx, vy)
@@ -193,7 +192,7 @@ def next_contact(
             continue
         for j in range(n):
             b = 1 + f * n + j
-            left = b == left_body or left_body == EVERY_BODY
+            left = b == left_body or b == left_other
             low, high = max(enter, left_until) if left else enter, min(leave, best)
             if low >= high:
                 continue

@@ -15,6 +15,7 @@ from palmar.mechanics.compiled import compiled
 from palmar.mechanics.impact.capture_state import (
     FLIGHT,
     LEFT_BODY,
+    LEFT_OTHER,
     LEFT_UNTIL,
     MODE,
     MOST_TOUCHING,
@@ -31,7 +32,7 @@ from palmar.mechanics.impact.capture_state import (
 from palmar.mechanics.impact.contact_view import BASE, END, PALM, SIDE, demand, gap_at, wall_at
 from palmar.mechanics.impact.finger_motion import CaptureHand
 from palmar.mechanics.impact.holding import fastest_rate, foot_within, move_between, place_between
-from palmar.mechanics.impact.next_contact import EVERY_BODY, TOUCH
+from palmar.mechanics.impact.next_contact import TOUCH
 
 HOP = 1e-12
 """Height of hops, in reaches, that are sustained contact if e < 1."""
@@ -133,13 +134,16 @@ def settle(hand: CaptureHand, at: Bench, e: float, parting: float, body: int, fr
     fastest, speed = fastest_rate(hand, at.fingers), hypot(s[VX], s[VY])
     scale = fastest * (fastest * reach + 2.0 * speed)
     slow = sqrt(2.0 * scale * hop)
-    s[MODE], s[LEFT_BODY] = FLIGHT, -1.0
+    s[MODE], s[LEFT_BODY], s[LEFT_OTHER] = FLIGHT, -1.0, -1.0
     if parting > slow:
         return
     count = look(hand, at, 4.0 * hop + 10.0 * TOUCH * reach)
     if (not frictional and _two(hand, at, count, hop, slow)) or _one(hand, at, count, hop, slow):
         return
-    s[LEFT_BODY] = body if count <= 1 else EVERY_BODY
+    s[LEFT_BODY] = body
+    for k in range(count):
+        if int(at.touching[k, 0]) != body and abs(at.touching[k, 6]) <= slow:
+            s[LEFT_OTHER] = at.touching[k, 0]
     s[LEFT_UNTIL] = sqrt(0.5 * TOUCH * reach / scale) if scale > 0.0 else inf
 
 
@@ -170,3 +174,4 @@ def still_between(
         hold(at, k, k)
     move_between(hand, at)
     settle(hand, at, e, 0.0, b2, frictional, reach)
+    at.state[LEFT_OTHER] = b1
