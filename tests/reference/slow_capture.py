@@ -7,6 +7,7 @@ central differences, contacts by a change of sign between samples, refined by sa
 from dataclasses import dataclass, field
 
 import numpy as np
+from scipy.ndimage import label
 
 
 @dataclass
@@ -120,7 +121,7 @@ def simulate(hand, place, velocity, restitution, end, most=50, samples=20_000):
 
 
 def drag_along(hand, place, velocity, end, step=2e-4):
-    """Moreau's time stepping for restitution 0 without friction: (place, velocity) at ``end``; error of the order of step."""
+    """Moreau's time stepping for restitution 0: (place, velocity) at ``end``, with an error of the order of the step."""
     place, velocity, time = np.array(place, float), np.array(velocity, float), 0.0
     while time < end:
         h = min(step, end - time)
@@ -137,24 +138,16 @@ def drag_along(hand, place, velocity, end, step=2e-4):
     return place, velocity
 
 
-def free_component(hand, time, place, spacing):
-    """Whether a flood over the free places on a grid, from ``place``, stays bounded at the links' pose of ``time``."""
+def flood(hand, time, spacing):
+    """(coordinates along x and y, parts of the free places on that grid, the number of the outer one; 0 is not free)."""
     far = hand.half_palm + sum(hand.lengths) + 3.0 * (hand.radius + hand.half_thickness)
     axis = np.arange(-far, far + spacing, spacing)
     x, y = np.meshgrid(axis, axis, indexing="ij")
-    cells = np.column_stack([x.ravel(), y.ravel()])
-    ends = hand.segments(np.array([time]))[0]
-    free = np.ones(len(cells), bool)
-    for body, (a, b) in enumerate(ends):
+    free = np.ones(x.shape, bool)
+    for body, (a, b) in enumerate(hand.segments(np.array([time]))[0]):
         along = b - a
-        part = np.clip(((cells - a) @ along) / (along @ along), 0.0, 1.0)
+        part = np.clip(((x - a[0]) * along[0] + (y - a[1]) * along[1]) / (along @ along), 0.0, 1.0)
         off = hand.radius + (hand.half_thickness if body else 0.0)
-        free &= np.linalg.norm(cells - a - part[:, None] * along, axis=1) >= off
-    free = free.reshape(x.shape)
-    from scipy.ndimage import label
-
+        free &= np.hypot(x - a[0] - part * along[0], y - a[1] - part * along[1]) >= off
     parts, _ = label(free)
-    k = tuple(int(np.argmin(np.abs(axis - c))) for c in place)
-    if parts[k] == 0:
-        return None
-    return bool(parts[k] != parts[0, 0])
+    return axis, parts, parts[0, 0]

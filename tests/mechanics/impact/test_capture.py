@@ -5,13 +5,13 @@ from math import acos, cos, cosh, pi, radians, sin, sinh, sqrt, tan
 import numpy as np
 import pymunk
 import pytest
-from reference.slow_capture import SlowHand, drag_along
 
 from palmar.mechanics.impact.capture import Captures, capture, capture_all
 from palmar.mechanics.impact.capture_hand import closing_hand, programmed_hand
 from palmar.mechanics.impact.capture_state import IMPACT, LANDS, LEAVES, SHUTS
 from palmar.mechanics.impact.collision import ImpactLaw
 from palmar.models.outcome import Outcome
+from reference.slow_capture import SlowHand, drag_along
 
 D, LENGTH, R = 6.0, 24.4, 3.8
 HAND = closing_hand(D, LENGTH, R)
@@ -301,7 +301,7 @@ def other_engine(places, e, step=2e-4):
         space.step(SHUT / steps)
     x, y = np.array([tuple(each.position) for each in disks]).T
     tip = LENGTH * sin(SHUT)
-    return (0.0 < y) & (y < tip) & (np.abs(x) < D - (D - R) * y / tip)
+    return (y > 0.0) & (y < tip) & (np.abs(x) < D - (D - R) * y / tip)
 
 
 @pytest.mark.parametrize("e", [1.0, 0.9, 0.7, 0.4])

@@ -4,7 +4,6 @@ from math import acos, inf, pi
 
 import numpy as np
 import pytest
-from reference.slow_capture import SlowHand, free_component, simulate
 
 from palmar.mechanics.impact.capture import capture, capture_all
 from palmar.mechanics.impact.capture_hand import closing_hand, programmed_hand
@@ -13,6 +12,7 @@ from palmar.mechanics.impact.contact_view import BASE
 from palmar.mechanics.impact.enclosed import enclosed_now
 from palmar.mechanics.impact.finger_motion import FINGER_WIDTH, begin_phase
 from palmar.models.outcome import Outcome
+from reference.slow_capture import SlowHand, flood, simulate
 
 
 def random_hand(rng):
@@ -26,7 +26,7 @@ def random_hand(rng):
         half_palm, lengths, radius, half_thickness, first=first, rate=rate, offsets=offsets, ratios=ratios,
         delay=delay, duration=float(rng.choice([inf, 1.5])), colliding=bool(rng.random() < 0.5),
     )  # fmt: skip
-    moving = float(fast.times[-1]) - delay
+    moving = sum(float(fast.times[k + 1] - fast.times[k]) for k in range(len(fast.times) - 1) if fast.rates[k].any())
     joints, rates = np.tile(np.append(first, offsets), (2, 1)), rate * np.tile(np.append(1.0, ratios), (2, 1))
     slow = SlowHand(half_palm, list(lengths), radius, half_thickness, joints, [(delay, 0.0 * rates), (moving, rates)])
     return fast, slow, delay + moving
@@ -34,9 +34,9 @@ def random_hand(rng):
 
 def test_impacts_of_many_hands_are_those_of_small_steps():
     rng, compared = np.random.default_rng(11), 0
-    for _ in range(12):
+    for _ in range(10):
         fast, slow, end = random_hand(rng)
-        for k in range(8):
+        for k in range(6):
             place = np.array([rng.uniform(-20.0, 20.0), rng.uniform(-8.0, 25.0)])
             velocity, e = rng.normal(size=2) * (8.0 if k % 2 else 0.0), float(rng.choice([1.0, 0.6]))
             outcome, _, events = capture(fast, place, velocity, e)
@@ -53,7 +53,7 @@ def test_impacts_of_many_hands_are_those_of_small_steps():
                 assert hit[8:10] == pytest.approx(after, abs=1e-4)
                 compared += 1
             assert len(hits) >= min(len([each for each in expected if each[0] < events[-1, 0]]), 12)
-    assert compared > 60
+    assert compared > 30
 
 
 def test_what_is_enclosed_is_what_a_flood_cannot_leave():
@@ -63,35 +63,36 @@ def test_what_is_enclosed_is_what_a_flood_cannot_leave():
         time = float(rng.uniform(0.5, 1.0)) * end
         fingers, chain = np.zeros((2, FINGER_WIDTH)), np.zeros((2 * len(fast.lengths) + 2, 2))
         begin_phase(fast, int(np.searchsorted(fast.times, time, side="right")) - 1, fingers)
-        for _ in range(12):
-            place = np.array([rng.uniform(-8.0, 8.0), rng.uniform(1.5, 18.0)])
-            if slow.nearest(np.array([time]), place[None])[0].min() < 0.3:
+        axis, parts, outer = flood(slow, time, 0.2)
+        for x, y in rng.uniform([-8.0, 1.5], [8.0, 18.0], (40, 2)):
+            around = parts[np.ix_(*(np.argsort(np.abs(axis - c))[:4] for c in (x, y)))]
+            if around.min() == 0 or around.min() != around.max():
                 continue
-            mine = enclosed_now(fast, fingers, time, *place, chain)
-            coarse, fine = (free_component(slow, time, place, spacing) for spacing in (0.25, 0.13))
-            if coarse == fine:
-                assert mine == fine
-                both[int(mine)] += 1
+            mine = enclosed_now(fast, fingers, time, x, y, chain)
+            assert mine == (around[0, 0] != outer)
+            both[int(mine)] += 1
 
 
 def test_what_is_caught_stays_inside_to_the_end_of_travel():
     """A loop that shut is still shut when the fingers are at rest."""
     rng = np.random.default_rng(8)
-    for _ in range(20):
+    for _ in range(10):
         fast, slow, _ = random_hand(rng)
         for since, i, j in fast.closures:
             k = int(np.searchsorted(fast.times, since))
             assert since == pytest.approx(fast.times[k], abs=1e-15)
-            later = np.linspace(since, fast.times[-1], 50)
+            later = np.linspace(since, fast.times[-1], 12)
             limit = 2.0 * fast.radius + sum(0.0 if c == len(fast.lengths) else fast.half_thickness for c in (i, j))
-            distances = [distance(*(elements(slow, t, len(fast.lengths), slow.lengths)[int(c)] for c in (i, j))) for t in later]
+            distances = [
+                distance(*(elements(slow, t, len(fast.lengths), slow.lengths)[int(c)] for c in (i, j))) for t in later
+            ]
             if len(fast.lengths) == len(slow.lengths):
                 assert max(distances) < limit + 1e-9
                 if since > 0.0:
                     assert distances[0] == pytest.approx(limit, abs=1e-9)
 
 
-def elements(slow, time, n, lengths):
+def elements(slow, time, n):
     """Segments of the chain from the left tip to the right one."""
     ends = slow.segments(np.array([time]))[0]
     return [*(ends[1 + 2 * n - 1 - k] for k in range(n)), ends[0], *(ends[1 + k] for k in range(n))]

@@ -66,7 +66,8 @@ def programmed_hand(
 
 
 def _check(
-    half_palm: float, lengths: Floats, radius: float, half_thickness: float, angles: Floats, turns: list[tuple[float, Floats]]
+    half_palm: float, lengths: Floats, radius: float, half_thickness: float, angles: Floats,
+    turns: list[tuple[float, Floats]],
 ) -> None:  # fmt: skip
     if not 1 <= len(lengths) <= MOST_LINKS or not (lengths > 0.0).all():
         raise ValueError(f"a finger has 1 to {MOST_LINKS} links of positive length, not {lengths.tolist()}")

@@ -115,7 +115,7 @@ def moves(hand: CaptureHand, finger: Floats) -> bool:
 
 @compiled
 def place_chain(hand: CaptureHand, fingers: Floats, t: float, chain: Floats) -> None:
-    """Write the corners (2n + 2, 2) of the line from the left tip over the palm to the right tip; element k joins k, k + 1."""
+    """Write the corners (2n + 2, 2) of the line from left tip to right tip over the palm; element k joins k and k + 1."""
     n = len(hand.lengths)
     for f in range(2):
         side, step = side_of(f), 1 if f == 0 else -1

@@ -192,7 +192,7 @@ def next_contact(
             continue
         for j in range(n):
             b = 1 + f * n + j
-            left = b == left_body or b == left_other
+            left = b in (left_body, left_other)
             low, high = max(enter, left_until) if left else enter, min(leave, best)
             if low >= high:
                 continue
