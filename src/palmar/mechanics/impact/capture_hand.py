@@ -8,6 +8,7 @@ from math import inf, pi
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.errors import InputError
 from palmar.mechanics.impact.enclosed import closed_since, meets_at
 from palmar.mechanics.impact.finger_motion import FINGER_WIDTH, MOST_LINKS, CaptureHand
 
@@ -32,7 +33,7 @@ def closing_hand(
     bends = np.zeros(rest) if offsets is None else np.asarray(offsets, dtype=float)
     turns = np.zeros(rest) if ratios is None else np.asarray(ratios, dtype=float)
     if bends.shape != (rest,) or turns.shape != (rest,):
-        raise ValueError(f"offsets and ratios need one entry for each of the {rest} distal joints")
+        raise InputError("offsets and ratios", None, f"one entry for each of the {rest} distal joints")
     joints, rates = np.append(first, bends), rate * np.append(1.0, turns)
     programme = [(delay, np.zeros((2, rest + 1))), (duration, np.tile(rates, (2, 1)))]
     return programmed_hand(
@@ -70,15 +71,17 @@ def _check(
     turns: list[tuple[float, Floats]],
 ) -> None:  # fmt: skip
     if not 1 <= len(lengths) <= MOST_LINKS or not (lengths > 0.0).all():
-        raise ValueError(f"a finger has 1 to {MOST_LINKS} links of positive length, not {lengths.tolist()}")
+        raise InputError("links", str(lengths.tolist()), f"1 to {MOST_LINKS} links of positive length")
     if not (half_palm > 0.0 and radius > 0.0 and half_thickness >= 0.0):
-        raise ValueError(
-            f"half palm {half_palm} and radius {radius} must be positive, half thickness {half_thickness} not negative"
+        raise InputError(
+            "half palm, radius and half thickness",
+            f"{half_palm}, {radius}, {half_thickness}",
+            "positive, the last not negative",
         )
     if any(each.shape != (2, len(lengths)) for each in (angles, *(rates for _, rates in turns))):
-        raise ValueError(f"joints and each row of rates must have the shape (2, {len(lengths)})")
+        raise InputError("joints and rates", None, f"arrays of the shape (2, {len(lengths)})")
     if any(duration < 0.0 for duration, _ in turns):
-        raise ValueError("durations must not be negative")
+        raise InputError("durations", None, "not negative")
 
 
 def _merge_straight(
@@ -109,7 +112,7 @@ def _through(
         stops = np.array([_end_of_travel(hand, f, now[f], limit, left) for f in range(2)])
         part = min(left, float(stops.min()))
         if not np.isfinite(part):
-            raise ValueError("a motion without an end: give its duration")
+            raise InputError("duration", "inf", "finite for a motion without an end")
         met = _meeting(hand, now, part) if colliding and not ended.all() else inf
         part = min(part, met)
         hand = _with_phase(hand, now, part)

@@ -32,11 +32,12 @@ from palmar.mechanics.impact.capture_state import (
 )
 from palmar.mechanics.impact.collision import ImpactLaw, after_impact, effective_restitution
 from palmar.mechanics.impact.contact_view import PALM, SIDE, gap_at, wall_at
-from palmar.mechanics.impact.enclosed import enclosed_for_good, enclosed_now
+from palmar.mechanics.impact.enclosed import enclosed_now
 from palmar.mechanics.impact.finger_motion import CaptureHand, begin_phase
-from palmar.mechanics.impact.holding import follow_held, foot_within
+from palmar.mechanics.impact.holding import fastest_rate, follow_held, foot_within
 from palmar.mechanics.impact.next_contact import NOTHING, SKIN, next_contact
 from palmar.mechanics.impact.settling import look, pressed_from_all_sides, settle, still_between
+from palmar.mechanics.impact.slowed import change_own, is_wall, own_until, shut, shut_now, slow_down
 from palmar.models.outcome import Outcome
 
 CAGED, STRUCTURAL, JAMMED = Outcome.CAGED.code, Outcome.STRUCTURAL.code, Outcome.JAMMED.code
@@ -81,11 +82,15 @@ def strike(
     s = at.state
     nx, ny, wx, wy, arm = wall_at(hand, at.fingers, body, feature, float(side), s[T], s[X], s[Y])
     vx, vy, spin = s[VX], s[VY], s[SPIN]
-    s[VX], s[VY], s[SPIN], _ = after_impact(law, e, hand.radius, nx, ny, wx, wy, arm, vx, vy, spin)
+    arm = 0.0 if is_wall(hand, at, body) else arm
+    s[VX], s[VY], s[SPIN], change = after_impact(law, e, hand.radius, nx, ny, wx, wy, arm, vx, vy, spin)
+    slow_down(hand, law, at, body, change)
     s[TOUCHED], s[IMPACTS] = 1.0, s[IMPACTS] + 1.0
     note(at, IMPACT, body, feature, vx, vy, spin)
+    _, _, wx, wy, _ = wall_at(hand, at.fingers, body, feature, float(side), s[T], s[X], s[Y])
     parting = (s[VX] - wx) * nx + (s[VY] - wy) * ny
-    settle(hand, at, effective_restitution(law, e, arm), parting, body, law.friction > 0.0, reach)
+    e = effective_restitution(law, e, arm) if law.torque == inf else e
+    settle(hand, at, e, parting, body, law.friction > 0.0, reach)
     if s[MODE] != FLIGHT:
         b, what, _ = held(at, 0)
         note(at, LANDS, b, what, s[VX], s[VY], s[SPIN])
@@ -123,20 +128,13 @@ def _gone(hand: CaptureHand, at: Bench, reach: float, fastest: float) -> bool:
     s = at.state
     if s[X] * s[X] + s[Y] * s[Y] > 4.0 * reach * reach and s[X] * s[VX] + s[Y] * s[VY] >= 0.0:
         return True
-    return s[PHASE] == len(hand.times) - 1 and hypot(s[VX], s[VY]) <= SLOW * reach * fastest
+    rests = s[PHASE] == len(hand.times) - 1 and fastest_rate(hand, at.fingers) == 0.0
+    return rests and hypot(s[VX], s[VY]) <= SLOW * reach * fastest
 
 
 @compiled
 def _lost(at: Bench) -> int:
     return ESCAPED if at.state[TOUCHED] > 0.0 else MISSED
-
-
-@compiled
-def _shut(hand: CaptureHand, at: Bench) -> bool:
-    """Take up the phase that has begun; whether the disk is enclosed for good now."""
-    s = at.state
-    begin_phase(hand, int(s[PHASE]), at.fingers)
-    return enclosed_for_good(hand, at.fingers, s[T], s[X], s[Y], at.chain)
 
 
 @compiled
@@ -152,15 +150,28 @@ def _pressed(hand: CaptureHand, at: Bench, reach: float) -> int:
 
 
 @compiled
+def _next_stretch(hand: CaptureHand, law: ImpactLaw, at: Bench, phase_ends: bool) -> bool:
+    """Take up what changes at this time, a phase or a finger by itself; whether the disk is enclosed."""
+    if phase_ends:
+        at.state[PHASE] += 1.0
+        return shut(hand, law, at)
+    for f in range(2):
+        if own_until(hand, at, f) <= at.state[T]:
+            change_own(hand, law, at, f)
+    return False
+
+
+@compiled
 def run(hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, most_events: int, reach: float, fastest: float) -> int:
     """Carry the state to its end; returns the outcome's code."""
-    s, last, frictional = at.state, len(hand.times) - 1, law.friction > 0.0
-    if _shut(hand, at):
+    s, last, frictional, limited = at.state, len(hand.times) - 1, law.friction > 0.0, law.torque < inf
+    if shut(hand, law, at):
         return CAGED
     settle(hand, at, e, 0.0, -1, frictional, reach)
-    since, at_once, b1, f1, s1 = s[T], 0, -1, 0, 0
+    since, at_once, b1, f1, s1, is_shut = s[T], 0, -1, 0, 0, False
     for _ in range(most_events):
-        until = hand.times[int(s[PHASE]) + 1] if s[PHASE] < last else inf
+        ends = hand.times[int(s[PHASE]) + 1] if s[PHASE] < last else inf
+        until = min(ends, own_until(hand, at, 0), own_until(hand, at, 1)) if limited else ends
         if s[MODE] == FLIGHT:
             if _gone(hand, at, reach, fastest):
                 return _lost(at) if s[X] * s[X] + s[Y] * s[Y] > reach * reach or s[TOUCHED] == 0.0 else JAMMED
@@ -185,12 +196,12 @@ def run(hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, most_events: int
                     still_between(hand, at, e, frictional, reach, b1, f1, s1, body, feature, side)
             since, b1, f1, s1 = s[T], body, feature, side
         elif body == NOTHING and s[T] >= until:
-            s[PHASE] += 1.0
-            if _shut(hand, at):
-                note(at, SHUTS, -1, 0, s[VX], s[VY], s[SPIN])
-                return CAGED
-            if s[MODE] != FLIGHT:
+            is_shut = _next_stretch(hand, law, at, until == ends)
+            if s[MODE] != FLIGHT and not is_shut:
                 settle(hand, at, e, 0.0, held(at, 0)[0], frictional, reach)
+        if is_shut or (limited and shut_now(hand, at)):
+            note(at, SHUTS, -1, 0, s[VX], s[VY], s[SPIN])
+            return CAGED
     return UNDECIDED
 
 

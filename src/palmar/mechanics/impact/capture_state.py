@@ -9,8 +9,8 @@ import numpy as np
 from palmar.mechanics.compiled import compiled
 from palmar.mechanics.impact.finger_motion import FINGER_WIDTH, CaptureHand, Floats
 
-T, X, Y, VX, VY, SPIN, PHASE, MODE, TOUCHED, IMPACTS, LOGGED, LEFT_BODY, LEFT_OTHER, LEFT_UNTIL = range(14)
-HELD = 14
+T, X, Y, VX, VY, SPIN, PHASE, MODE, TOUCHED, IMPACTS, LOGGED, LEFT_BODY, LEFT_OTHER, LEFT_UNTIL, OWN = range(15)
+HELD = 16
 """From here on two held contacts (body, feature, side) of sustained motion."""
 STATE_WIDTH = HELD + 6
 FLIGHT, ONE, TWO = 0, 1, 2

@@ -52,12 +52,18 @@ def side_of(finger: int) -> float:
 
 
 @compiled
+def begin_finger(hand: CaptureHand, phase: int, f: int, fingers: Floats) -> None:
+    """Write finger f as it moves in a phase."""
+    fingers[f, SINCE], fingers[f, FASTER] = hand.times[phase], 0.0
+    for j in range(len(hand.lengths)):
+        fingers[f, ANGLE + j], fingers[f, RATE + j] = hand.angles[phase, f, j], hand.rates[phase, f, j]
+
+
+@compiled
 def begin_phase(hand: CaptureHand, phase: int, fingers: Floats) -> None:
     """Write the fingers (2, FINGER_WIDTH) as they move in a phase."""
-    for f in range(2):
-        fingers[f, SINCE], fingers[f, FASTER] = hand.times[phase], 0.0
-        for j in range(len(hand.lengths)):
-            fingers[f, ANGLE + j], fingers[f, RATE + j] = hand.angles[phase, f, j], hand.rates[phase, f, j]
+    begin_finger(hand, phase, 0, fingers)
+    begin_finger(hand, phase, 1, fingers)
 
 
 @inlined

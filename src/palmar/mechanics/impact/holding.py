@@ -8,7 +8,7 @@ acceleration added to the bound; where a load turns negative or a foot leaves it
 
 from __future__ import annotations
 
-from math import hypot, inf
+from math import hypot, inf, sqrt
 
 from palmar.mechanics.compiled import compiled
 from palmar.mechanics.impact.capture_state import (
@@ -40,9 +40,10 @@ NEWTON_STEPS = 6
 
 @compiled
 def fastest_rate(hand: CaptureHand, fingers: Floats) -> float:
-    """Largest rate at which a link turns now."""
+    """Scale of the rates at which links turn now."""
     fastest = 0.0
     for f in range(2):
+        fastest = max(fastest, sqrt(abs(fingers[f, FASTER])))
         for j in range(len(hand.lengths)):
             fastest = max(fastest, abs(fingers[f, RATE + j]))
     return fastest
