@@ -86,10 +86,9 @@ def test_what_is_caught_stays_inside_to_the_end_of_travel():
             assert since == pytest.approx(fast.times[k], abs=1e-15)
             later = np.linspace(since, fast.times[-1], 12)
             limit = 2.0 * fast.radius + sum(0.0 if c == len(fast.lengths) else fast.half_thickness for c in (i, j))
-            distances = [
-                distance(*(elements(slow, t, len(fast.lengths), slow.lengths)[int(c)] for c in (i, j))) for t in later
-            ]
             if len(fast.lengths) == len(slow.lengths):
+                chains = [elements(slow, t, len(fast.lengths)) for t in later]
+                distances = [distance(chain[int(i)], chain[int(j)]) for chain in chains]
                 assert max(distances) < limit + 1e-9
                 if since > 0.0:
                     assert distances[0] == pytest.approx(limit, abs=1e-9)
@@ -120,6 +119,33 @@ def test_the_throat_of_thick_fingers_shuts_sooner():
     hand = closing_hand(0.06, [0.244], 0.038, 0.0125)
     assert hand.closures[0, 0] == pytest.approx(acos(-(0.06 - 0.038 - 0.0125) / 0.244), abs=1e-11)
     assert hand.times[-1] == pytest.approx(pi - np.arcsin(0.0125 / 0.244), abs=1e-9)
+
+
+def test_a_throat_that_shuts_at_right_angles_is_noticed_at_once():
+    """The palm is hardly wider than the disk between thick fingers; the two distances are equal but for rounding."""
+    rng = np.random.default_rng(6)
+    for _ in range(30):
+        radius, half_thickness, length = rng.uniform(2.0, 4.0), rng.uniform(0.0, 1.5), rng.uniform(8.0, 15.0)
+        half_palm = radius + half_thickness + rng.uniform(0.02, 2.0)
+        hand = closing_hand(half_palm, [length], radius, half_thickness, rate=2.0, delay=0.3)
+        since = float(hand.closures[0, 0])
+        outcome, end, _ = capture(hand, (0.0, 0.5 * length), (0.0, 0.0))
+        assert outcome is Outcome.CAGED
+        assert end[5] == pytest.approx(since, abs=1e-12)
+
+
+@pytest.mark.parametrize("e", [1.0, 0.6, 0.0])
+def test_nearly_every_start_before_any_hand_is_decided(e):
+    """Jointed fingers that squeeze a disk to and fro at e = 1 before a loop has shut can outlast any bound."""
+    rng, codes = np.random.default_rng(21), []
+    for k in range(24):
+        places, velocities = (
+            rng.uniform([-20.0, -5.0], [20.0, 25.0], (300, 2)),
+            rng.normal(size=(300, 2)) * 4.0 * (k % 2),
+        )
+        codes.append(capture_all(random_hand(rng)[0], places, velocities, e, most_events=1000).codes)
+    undecided = (np.concatenate(codes) == Outcome.UNDECIDED.code).mean()
+    assert undecided < (0.02 if e == 1.0 else 0.0005)
 
 
 def test_straight_stiff_links_are_one_link():

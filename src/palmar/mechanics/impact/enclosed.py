@@ -11,6 +11,8 @@ overlap: from the last time on at which they do not.
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -40,13 +42,13 @@ def _turns(x: float, y: float, ax: float, ay: float, bx: float, by: float) -> in
 
 
 @compiled
-def inside_loop(hand: CaptureHand, chain: Floats, i: int, j: int, x: float, y: float) -> bool:
-    """Whether (x, y) is in the loop of the placed chain's elements i < j, which must overlap when grown."""
+def inside_loop(hand: CaptureHand, chain: Floats, i: int, j: int, x: float, y: float, slack: float) -> bool:
+    """Whether (x, y) is in the loop of the placed chain's elements i < j, if they overlap when grown, up to ``slack``."""
     apart, px, py, qx, qy = closest_points(
         chain[i, 0], chain[i, 1], chain[i + 1, 0], chain[i + 1, 1],
         chain[j, 0], chain[j, 1], chain[j + 1, 0], chain[j + 1, 1],
     )  # fmt: skip
-    if apart > clearance_of(hand, i) + clearance_of(hand, j):
+    if apart > clearance_of(hand, i) + clearance_of(hand, j) + slack:
         return False
     winding = _turns(x, y, px, py, chain[i + 1, 0], chain[i + 1, 1]) + _turns(x, y, qx, qy, px, py)
     for k in range(i + 1, j):
@@ -63,7 +65,7 @@ def enclosed_for_good(hand: CaptureHand, fingers: Floats, t: float, x: float, y:
             if not placed:
                 place_chain(hand, fingers, t, chain)
                 placed = True
-            if inside_loop(hand, chain, int(hand.closures[m, 1]), int(hand.closures[m, 2]), x, y):
+            if inside_loop(hand, chain, int(hand.closures[m, 1]), int(hand.closures[m, 2]), x, y, inf):
                 return True
     return False
 
@@ -74,7 +76,7 @@ def enclosed_now(hand: CaptureHand, fingers: Floats, t: float, x: float, y: floa
     place_chain(hand, fingers, t, chain)
     for i in range(2 * len(hand.lengths) - 1):
         for j in range(i + 2, 2 * len(hand.lengths) + 1):
-            if inside_loop(hand, chain, i, j, x, y):
+            if inside_loop(hand, chain, i, j, x, y, 0.0):
                 return True
     return False
 

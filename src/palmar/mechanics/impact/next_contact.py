@@ -30,6 +30,8 @@ TOUCH = 1e-14
 """Gap, in reaches, that counts as a root; what is left is taken out by one step of Newton's method."""
 SKIN = 1e-10
 """Overlap, in reaches, that is still a touch."""
+GRAZE = 1e-13
+"""Part of the speed at which a wall at rest that touches is approached by rounding only."""
 MOST_STEPS = 400
 NOTHING, UNSURE = -1, -2
 """Instead of a body: no contact; none before the time returned, from which the search must go on."""
@@ -163,7 +165,8 @@ def _still_contact(
         if qx * side_of(f) * vx + y * vy < 0.0:
             enter, _ = circle_times(qx, y, side_of(f) * vx, vy, off)
             enter = max(enter, 0.0)
-            if enter < best:
+            along = enter == 0.0 and qx * side_of(f) * vx + y * vy > -GRAZE * off * hypot(vx, vy)
+            if enter < best and not along:
                 best, body, feature, side = enter, 1 + f * len(hand.lengths), BASE, 1
     return best, body, feature, side
 

@@ -38,6 +38,8 @@ HOP = 1e-12
 """Height of hops, in reaches, that are sustained contact if e < 1."""
 HOP_ELASTIC = 1e-28
 """The same for e = 1: the rounding of a speed."""
+ROUNDING = 1e-14
+"""Part of the speed that is none."""
 
 
 @compiled
@@ -133,7 +135,7 @@ def settle(hand: CaptureHand, at: Bench, e: float, parting: float, body: int, fr
     hop = (HOP if e < 1.0 else HOP_ELASTIC) * reach
     fastest, speed = fastest_rate(hand, at.fingers), hypot(s[VX], s[VY])
     scale = fastest * (fastest * reach + 2.0 * speed)
-    slow = sqrt(2.0 * scale * hop)
+    slow = max(sqrt(2.0 * scale * hop), ROUNDING * speed)
     s[MODE], s[LEFT_BODY], s[LEFT_OTHER] = FLIGHT, -1.0, -1.0
     if parting > slow:
         return
