@@ -5,10 +5,10 @@ from math import inf
 import numpy as np
 import pytest
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_course import fit_course, pose_after, twist_after
 from palmar.mechanics.pushing.closing_motion import Bench, bench
 from palmar.mechanics.pushing.closing_stride import SHARE
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.contact_solve import fill_rows, workspace
 from palmar.mechanics.pushing.crossing import next_point
 from palmar.mechanics.pushing.edge_loads import edge_loads, fill_entries, known_loads

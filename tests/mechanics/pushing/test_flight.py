@@ -5,11 +5,11 @@ from math import cos, pi, sin
 import numpy as np
 import pytest
 
-from palmar.mechanics.pushing.angles import cosine_sine
+from palmar.mechanics.angles import cosine_sine
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_flight import turn_to_touch
 from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, THETA, TIME, X, Y, bench
 from palmar.mechanics.pushing.closing_steps import carry_all
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.hand_pose import MOVING, free_motion, hand_motion, place_links
 from palmar.mechanics.pushing.polygon_contacts import disk_body, polygon_body
 from palmar.models.outcome import Outcome

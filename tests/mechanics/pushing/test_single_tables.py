@@ -5,10 +5,10 @@ from math import pi
 import numpy as np
 import pytest
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing import closing_steps
 from palmar.mechanics.pushing.closing_motion import NONE, bench, mode_twist
 from palmar.mechanics.pushing.closing_steps import BATCH_TOLERANCE, carry_all
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.hand_pose import hand_motion
 from palmar.mechanics.pushing.polygon_contacts import END, VERTEX, contact_code, disk_body, polygon_body
 from palmar.mechanics.pushing.single_contact import in_tables, single_twist

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.closing_end import in_pocket, opening
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.enclosure import Closed
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, place_links
 from palmar.mechanics.pushing.link_view import BEFORE, BEHIND, GAP, LEVEL, NX, NY, slip, view_all

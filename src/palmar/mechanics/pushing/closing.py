@@ -9,9 +9,9 @@ from math import atan
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_disk import End, close_on_disk
 from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables, build_tables
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.limit_surface import LimitSurface
 
 Floats = NDArray[np.float64]

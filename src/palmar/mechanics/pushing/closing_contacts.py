@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from palmar.mechanics.pushing.angles import cosine_sine
+from palmar.mechanics.angles import cosine_sine
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_motion import KEPT, LEFT, RIGHT, SEVERAL, THETA, TIME, TOUCHED, Bench, X, Y
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.contact_scan import touching_candidates
 from palmar.mechanics.pushing.contact_solve import CONTACT_WIDTH
 from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of, place_links, row_count

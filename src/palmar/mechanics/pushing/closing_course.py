@@ -10,6 +10,7 @@ from math import cos, sin
 
 import numpy as np
 
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.closing_motion import (
     OMEGA,
     THETA,
@@ -20,7 +21,6 @@ from palmar.mechanics.pushing.closing_motion import (
     X,
     Y,
 )  # fmt: skip
-from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.metric import Triple
 
 BETWEEN = np.array(

@@ -24,10 +24,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_link import link_place, link_root, reach_at, spin_to_tip, turn_to_tip
 from palmar.mechanics.pushing.closing_tables import PALM_NODES, ClosingHand, Tables
 from palmar.mechanics.pushing.closing_tip import HALF, falling_from, tip_lean, tip_leaves, tip_phase, tip_place
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.first_touch import first_touch, overlaps
 from palmar.mechanics.pushing.interpolation import between
 from palmar.mechanics.pushing.meeting import straight_travel_end

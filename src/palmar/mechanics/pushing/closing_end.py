@@ -14,7 +14,7 @@ from math import hypot, inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.models.outcome import Outcome
 
 Floats = NDArray[np.float64]

@@ -5,8 +5,8 @@ Touches, leaves and stalls are located as exactly as the motion; sticking and sl
 
 from __future__ import annotations
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_motion import LOGGED, TIME, Bench
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.hand_pose import HandMotion, finger_of
 from palmar.mechanics.pushing.polygon_contacts import link_of
 

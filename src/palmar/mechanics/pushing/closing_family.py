@@ -16,11 +16,11 @@ from math import acos, cos, hypot, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_disk import close_on_disk
 from palmar.mechanics.pushing.closing_link import link_place, reach_at, turn_to_tip
 from palmar.mechanics.pushing.closing_tables import TIP_NODES, ClosingHand, Tables
 from palmar.mechanics.pushing.closing_tip import HALF, falling_from, tip_lean, tip_place
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.first_touch import first_touch
 from palmar.mechanics.pushing.interpolation import between
 from palmar.models.outcome import Outcome

@@ -15,9 +15,9 @@ from __future__ import annotations
 
 from math import acos, asin, atan2, inf, pi, sqrt
 
-from palmar.mechanics.pushing.angles import cosine_sine
+from palmar.mechanics.angles import cosine_sine
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, THETA, TIME, Bench, X, Y
-from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, stands
 from palmar.mechanics.pushing.polygon_contacts import Body, link_of
 

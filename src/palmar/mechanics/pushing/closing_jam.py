@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from math import inf
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_events import HALTS, STALLS, note, note_touches
 from palmar.mechanics.pushing.closing_motion import (
     ARM,
@@ -34,7 +35,6 @@ from palmar.mechanics.pushing.closing_motion import (
     to_object,
     write_contacts,
 )  # fmt: skip
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of
 from palmar.mechanics.pushing.polygon_contacts import Body, link_of
 

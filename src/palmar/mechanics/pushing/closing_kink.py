@@ -7,10 +7,10 @@ past it, where the search over all modes finds another one, or none: then the ob
 
 from __future__ import annotations
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_course import pose_after, twist_after
 from palmar.mechanics.pushing.closing_motion import LEFT, REST, RIGHT, TIME, Bench, mode_twist, write_contacts
 from palmar.mechanics.pushing.closing_stride import OVER, SHARE
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.crossing import next_point
 from palmar.mechanics.pushing.hand_pose import HandMotion
 from palmar.mechanics.pushing.polygon_contacts import Body

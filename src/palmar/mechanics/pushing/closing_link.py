@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from math import cos, sin
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.interpolation import between
 
 LAST_STEP = 1e-5

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.angles import cosine_sine
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
+from palmar.mechanics.angles import cosine_sine
+from palmar.mechanics.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.contact_solve import (
     CONTACT_WIDTH,
     MOST_CONTACTS,

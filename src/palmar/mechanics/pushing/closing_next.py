@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.closing_jam import UNBEARABLE, most_load
 from palmar.mechanics.pushing.closing_motion import (
     FLAGS,
@@ -15,7 +16,6 @@ from palmar.mechanics.pushing.closing_motion import (
     full_twist,
     mode_twist,
 )  # fmt: skip
-from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.metric import Triple
 from palmar.mechanics.pushing.polygon_contacts import Body
 

@@ -22,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing import closing_end
 from palmar.mechanics.pushing.closing_contacts import look, look_again, settle_and_look, without_wall
 from palmar.mechanics.pushing.closing_course import go_on
@@ -55,7 +56,6 @@ from palmar.mechanics.pushing.closing_motion import (
 from palmar.mechanics.pushing.closing_next import UNSOLVED, next_twist
 from palmar.mechanics.pushing.closing_stride import FIRST_STRIDE, LONGEST_ARC, stride, turns_along
 from palmar.mechanics.pushing.closing_touch import first_change, first_touch
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, as_halted
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, UNIFORM_DISK
 from palmar.mechanics.pushing.meeting import travel_end

@@ -16,6 +16,7 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.closing_course import fit_course
 from palmar.mechanics.pushing.closing_motion import (
     LEFT,
@@ -32,7 +33,6 @@ from palmar.mechanics.pushing.closing_motion import (
     mode_twist,
     write_contacts,
 )  # fmt: skip
-from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_solve import TIGHT
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, finger_of, stands
 from palmar.mechanics.pushing.polygon_contacts import TOUCH, Body, Scale, link_of

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
+from palmar.mechanics.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.contact_solve import CONTACT_WIDTH, Workspace, workspace
 from palmar.mechanics.pushing.drag import drag_table, slipping_from, sticking_lean
 from palmar.mechanics.pushing.limit_surface import LimitSurface

@@ -7,8 +7,8 @@ from math import asin, atan, atan2, cos, pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_tables import TIP_NODES, ClosingHand, Tables
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.interpolation import between
 
 Floats = NDArray[np.float64]

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from math import inf, sqrt
 
-from palmar.mechanics.pushing.angles import cosine_sine
+from palmar.mechanics.angles import cosine_sine
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.closing_course import pose_after
 from palmar.mechanics.pushing.closing_flight import in_flight, turn_to_touch
 from palmar.mechanics.pushing.closing_motion import LEFT, RIGHT, TIME, Bench
-from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.contact_scan import further_gaps
 from palmar.mechanics.pushing.crossing import next_point
 from palmar.mechanics.pushing.hand_pose import HandMotion, fastest_turn, place_links, row_count

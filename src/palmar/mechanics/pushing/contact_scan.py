@@ -11,8 +11,8 @@ from math import inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.angles import cosine_sine
-from palmar.mechanics.pushing.compiled import compiled, inlined
+from palmar.mechanics.angles import cosine_sine
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.polygon_contacts import (
     BEGIN,
     END,

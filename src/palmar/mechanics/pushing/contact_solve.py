@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
+from palmar.mechanics.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.edge_loads import edges_twist, fill_entries, known_loads, lean_of
 from palmar.mechanics.pushing.metric import Metric, inverse, squared, times
 

@@ -6,7 +6,7 @@ narrow the bracket, but no secant is drawn through them.
 
 from __future__ import annotations
 
-from palmar.mechanics.pushing.compiled import inlined
+from palmar.mechanics.compiled import inlined
 
 EARLY, SURE_AFTER = 2, 7
 """Points up to which the secant is trusted to pass a jump by little, and after which every other one halves the bracket."""

@@ -19,8 +19,8 @@ from math import hypot, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing import limit_surface
-from palmar.mechanics.pushing.compiled import compiled
 from palmar.mechanics.pushing.interpolation import between
 from palmar.mechanics.pushing.limit_surface import (
     ELLIPSOID,

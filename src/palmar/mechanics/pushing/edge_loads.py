@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import inlined
+from palmar.mechanics.compiled import inlined
 from palmar.mechanics.pushing.metric import Triple
 
 Floats = NDArray[np.float64]

@@ -12,7 +12,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.metric import Metric, Triple
 
 Floats = NDArray[np.float64]

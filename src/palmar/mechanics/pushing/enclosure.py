@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.closing_end import opening
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, HandMotion, place_links
 
 Floats = NDArray[np.float64]

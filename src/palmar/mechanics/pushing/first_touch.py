@@ -7,8 +7,8 @@ from math import acos, asin, atan2, cos, sin, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_tables import ClosingHand
-from palmar.mechanics.pushing.compiled import compiled
 
 Floats = NDArray[np.float64]
 TOUCHING = 1e-9

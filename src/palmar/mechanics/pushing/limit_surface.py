@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing import ellipsoid, sampled_pressure, uniform_disk, uniform_polygon
-from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.metric import Metric, Triple, inverse, squared, times
 from palmar.mechanics.pushing.pressure_cells import Cells, triangle_rule
 

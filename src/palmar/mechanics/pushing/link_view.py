@@ -12,7 +12,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, inlined
+from palmar.mechanics.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 GAP, NX, NY, SPEED, BEFORE, BEHIND, UX, UY = range(8)

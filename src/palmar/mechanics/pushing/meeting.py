@@ -12,8 +12,8 @@ from math import cos, hypot, inf, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.closing_tables import ClosingHand
-from palmar.mechanics.pushing.compiled import compiled, inlined
 from palmar.mechanics.pushing.hand_pose import MOVING, HandMotion, place_links
 
 Floats = NDArray[np.float64]

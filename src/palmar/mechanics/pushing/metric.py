@@ -6,7 +6,7 @@ are kept as a tuple (xx, xy, yy, xw, yw, ww), w standing for omega: kernels pass
 
 from __future__ import annotations
 
-from palmar.mechanics.pushing.compiled import inlined
+from palmar.mechanics.compiled import inlined
 
 Metric = tuple[float, float, float, float, float, float]
 Triple = tuple[float, float, float]

@@ -17,7 +17,7 @@ from math import inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.contact_solve import MOTION_WIDTH, SAME, Workspace, copy_motion, solve_contacts
 from palmar.mechanics.pushing.limit_surface import ELLIPSOID, LimitSurface, secant_metric, tangent_metric
 from palmar.mechanics.pushing.metric import Metric, Triple, squared

@@ -19,8 +19,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from palmar.mechanics.pushing.angles import cosine_sine
-from palmar.mechanics.pushing.compiled import compiled, inlined
+from palmar.mechanics.angles import cosine_sine
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, polygon_surface
 
 Floats = NDArray[np.float64]

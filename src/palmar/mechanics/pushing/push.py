@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.contact_solve import Workspace, workspace
 from palmar.mechanics.pushing.metric import Triple
 from palmar.mechanics.pushing.motion_solve import solve_motion

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.compiled import inlined
 from palmar.mechanics.pushing.closing_motion import Bench, to_table
-from palmar.mechanics.pushing.compiled import inlined
 from palmar.mechanics.pushing.contact_solve import signed
 from palmar.mechanics.pushing.polygon_contacts import VERTEX, Body, kind_of
 from palmar.mechanics.pushing.single_tables import CELLS

@@ -21,7 +21,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, inlined
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.limit_surface import UNIFORM_POLYGON, LimitSurface, secant_metric, tangent_metric, twist
 from palmar.mechanics.pushing.metric import Triple, inverse, squared, times
 from palmar.mechanics.pushing.polygon_contacts import Body

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.limit_surface import LimitSurface, disk_surface, polygon_surface, sampled_surface
 from palmar.mechanics.pushing.polygon_contacts import Body, polygon_body
 from palmar.mechanics.pushing.pressure_cells import Cells, disk_cells, leaned, polygon_cells

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, inlined
+from palmar.mechanics.compiled import compiled, inlined
 from palmar.mechanics.pushing.link_view import BEFORE, BEHIND, GAP, NX, NY, UX, UY, bend, guarded, neighbour
 
 Floats = NDArray[np.float64]

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled, compiled_to_allocate, inlined
+from palmar.mechanics.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOST_LINKS, MOVING, HandMotion, place_links
 from palmar.mechanics.pushing.link_view import GAP, NX, NY, SPEED, VIEW_WIDTH, view_all, view_link
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from math import copysign, hypot, pi, sqrt
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.metric import Metric, with_load
 
 FAR = 3.0

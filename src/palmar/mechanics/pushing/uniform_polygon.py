@@ -19,7 +19,7 @@ from math import log, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.metric import Metric, with_load
 
 Floats = NDArray[np.float64]

@@ -12,7 +12,7 @@ from math import hypot, inf
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.compiled import compiled
+from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.hand_pose import HandMotion, place_links
 from palmar.models.hand import Hand
 from palmar.models.sensors import Stretch

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import floor
 
-from palmar.mechanics.pushing.compiled import inlined
+from palmar.mechanics.compiled import inlined
 
 PER_QUARTER = 0.6366197723675814
 QUARTER, QUARTER_REST = 1.57079632673412561417, 6.07710050650619224932e-11
