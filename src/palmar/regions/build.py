@@ -49,6 +49,10 @@ def build_region(
         from palmar.regions.free import free_region
 
         return free_region(case, model)
+    if case.support.kind is SupportKind.FREE:
+        from palmar.regions.captured import captured_region
+
+        return captured_region(case, closure, tolerance)
     from palmar.regions.exact import exact_region
 
     return exact_region(case, closure, tolerance, orientations, tolerance)

@@ -12,6 +12,7 @@ from palmar.mechanics.pushing.closing import Ends
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
+from palmar.models.support import SupportKind
 from palmar.worlds.planar.events import Event, events
 from palmar.worlds.planar.table import Trace, covered, table_world, trace
 
@@ -32,6 +33,8 @@ def simulate_start(case: Case, start: ArrayLike) -> Simulation:
 
     Raises NotCoveredError for cases that no kernel carries.
     """
+    if case.support.kind is SupportKind.FREE:
+        return _simulate_free(case, start)
     place = _places(case, np.atleast_2d(np.asarray(start, dtype=float)))
     ends = _ends(case, place)
     outcome = Outcome.from_code(int(ends.codes[0]))
@@ -50,8 +53,34 @@ def simulate_start(case: Case, start: ArrayLike) -> Simulation:
 
 def simulate_starts(case: Case, starts: ArrayLike) -> Ends:
     """Simulate starts (N, 2 to 5) in SI: x, y[, theta[, vx, vy]]."""
+    if case.support.kind is SupportKind.FREE:
+        from palmar.worlds.planar.free import free_world
+
+        return free_world(_closing(case)).ends(_moving(case, starts))
     places = _places(case, np.atleast_2d(np.asarray(starts, dtype=float)))
     return _ends(case, places)
+
+
+def _simulate_free(case: Case, start: ArrayLike) -> Simulation:
+    from palmar.worlds.planar.free import free_world
+
+    world = free_world(_closing(case))
+    outcome, pose, found = world.start(_moving(case, start)[0])
+    end = found[-1].psi if found else case.hand.open
+    straight = (0.0,) * (len(case.hand.finger_links) - 1)
+    last = min(end, float(world.hand.angles[-1, 0, 0]))
+    return Simulation(
+        outcome, pose, (last, *straight), (last, *straight),
+        tuple(((each.psi - case.hand.open) / case.hand.finger_rate, each) for each in found),
+    )  # fmt: skip
+
+
+def _moving(case: Case, starts: ArrayLike) -> NDArray[np.float64]:
+    """Starts as (N, 5); velocities that are not given are the case's."""
+    rows = np.atleast_2d(np.asarray(starts, dtype=float))
+    wide = np.tile([0.0, 0.0, case.start.theta, *case.start.velocity], (len(rows), 1))
+    wide[:, : rows.shape[1]] = rows
+    return wide
 
 
 def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
@@ -88,25 +117,36 @@ def _events(case: Case, place: NDArray[np.float64], outcome: Outcome) -> tuple[E
     return events(table_world(case), (x, y), outcome.value)
 
 
-def film(case: Case, start: tuple[float, float, float], frames: int) -> Trace:
-    """The poses of one valid start at equal steps of the closing angle."""
-    if _in_steps(case, np.array(start)):
+def film(case: Case, start: tuple[float, ...], frames: int) -> Trace:
+    """The poses of one valid start (3,) or (5,) at equal steps of the closing angle, in free space of time."""
+    if case.support.kind is SupportKind.FREE:
+        from palmar.worlds.planar.free import free_world
+
+        return free_world(case).trace(_moving(case, [start])[0], frames)
+    x, y, theta = start[:3]
+    if _in_steps(case, np.array([x, y, theta])):
         from palmar.worlds.planar.stepping import stepping_world
 
-        return stepping_world(case).trace(start, frames)
-    whole = trace(table_world(case), start[:2], frames)
-    return Trace(whole.psi, whole.poses + np.array([0.0, 0.0, start[2]]), whole.fingers)
+        return stepping_world(case).trace((x, y, theta), frames)
+    whole = trace(table_world(case), (x, y), frames)
+    return Trace(whole.psi, whole.poses + np.array([0.0, 0.0, theta]), whole.fingers)
 
 
 def _places(case: Case, starts: NDArray[np.float64]) -> NDArray[np.float64]:
     """Starts as (N, 3): x, y, theta; a velocity is refused, sliding on a table has no memory of it."""
-    if case.behaviour.name is not BehaviourName.CLOSE:
-        name = case.behaviour.name.value
-        raise NotCoveredError(
-            f'behaviour.name = "{name}": simulate is for closing, palmar behaviours run for the others'
-        )
+    case = _closing(case)
     wide = np.zeros((len(starts), 5))
     wide[:, : starts.shape[1]] = starts
     if np.any(wide[:, 3:]) or case.start.velocity != (0.0, 0.0):
         raise NotCoveredError("velocity: quasi-static sliding on a table has no initial velocity")
     return wide[:, :3]
+
+
+def _closing(case: Case) -> Case:
+    """The case, if closing is what its hand does."""
+    if case.behaviour.name is not BehaviourName.CLOSE:
+        name = case.behaviour.name.value
+        raise NotCoveredError(
+            f'behaviour.name = "{name}": simulate is for closing, palmar behaviours run for the others'
+        )
+    return case

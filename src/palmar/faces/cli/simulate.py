@@ -57,7 +57,7 @@ def simulate(
     if animate is not None:
         from palmar.faces.plots.film import write_film
 
-        write_film(animate, given, (begin[0], begin[1], begin[2]), result)
+        write_film(animate, given, tuple(begin), result)
     rows = [(f"{time:8.3f} s", event.kind, event.body.replace("_", " ")) for time, event in result.events]
     x, y, theta = result.pose
     place = f"({1e3 * x + 0.0:.2f}, {1e3 * y:.2f}) mm, turned {math.degrees(theta):.2f} deg"

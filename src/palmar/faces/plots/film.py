@@ -39,8 +39,8 @@ def known_ending(path: Path) -> None:
         )
 
 
-def write_film(path: Path, case: Case, start: tuple[float, float, float], result: Simulation) -> None:
-    """Write the motion from ``start`` (m, rad) whole or not at all.
+def write_film(path: Path, case: Case, start: tuple[float, ...], result: Simulation) -> None:
+    """Write the motion from ``start`` (x, y, theta[, vx, vy]) whole or not at all.
 
     Raises InputError for an unknown ending, OutputError where the file cannot be written.
     """

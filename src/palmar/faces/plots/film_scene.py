@@ -42,6 +42,8 @@ _DONE = {
     "stick": "sticks",
     "slide": "slides",
     "halt": "halts",
+    "impact": "strikes",
+    "shut": "shuts about it",
 }
 
 
@@ -129,8 +131,8 @@ class Scene:
         return self.case.palm_ahead((right,), (left,))
 
 
-def scene(case: Case, start: tuple[float, float, float], result: Simulation) -> Scene:
-    """The motion from ``start`` (m, rad) that ``result`` describes, from time 0 to its last event."""
+def scene(case: Case, start: tuple[float, ...], result: Simulation) -> Scene:
+    """The motion from ``start`` (x, y, theta[, vx, vy]) that ``result`` describes, from time 0 to its last event."""
     first, rate = case.hand.open, case.hand.finger_rate
     end = result.events[-1][1].psi if result.events else first
     times, poses, fingers = np.array([0.0]), np.array([result.pose]), np.array([[first, first]])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import inf, pi
 
 import numpy as np
@@ -178,12 +178,15 @@ def _with_closures(hand: CaptureHand) -> CaptureHand:
             since = closed_since(hand, i, j, fingers, chain)
             if np.isfinite(since):
                 rows.append((since, float(i), float(j)))
+    return divided(hand, [row[0] for row in rows])._replace(closures=np.array(rows).reshape(-1, 3))
+
+
+def divided(hand: CaptureHand, moments: Iterable[float]) -> CaptureHand:
+    """The same motion with phases that also begin at these moments (s), which are noted in a run's events."""
     times, angles, rates = [*hand.times], [*hand.angles], [*hand.rates]
-    for since in sorted({row[0] for row in rows} - set(times)):
+    for since in sorted(set(moments) - set(times)):
         k = int(np.searchsorted(times, since)) - 1
         times.insert(k + 1, since)
         angles.insert(k + 1, angles[k] + (since - times[k]) * rates[k])
         rates.insert(k + 1, rates[k])
-    return hand._replace(
-        times=np.array(times), angles=np.array(angles), rates=np.array(rates), closures=np.array(rows).reshape(-1, 3)
-    )
+    return hand._replace(times=np.array(times), angles=np.array(angles), rates=np.array(rates))

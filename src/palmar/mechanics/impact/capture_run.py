@@ -17,6 +17,7 @@ from palmar.mechanics.impact.capture_state import (
     LEFT_UNTIL,
     MODE,
     PHASE,
+    PHASES,
     SHUTS,
     SPIN,
     STATE_WIDTH,
@@ -154,6 +155,7 @@ def _next_stretch(hand: CaptureHand, law: ImpactLaw, at: Bench, phase_ends: bool
     """Take up what changes at this time, a phase or a finger by itself; whether the disk is enclosed."""
     if phase_ends:
         at.state[PHASE] += 1.0
+        note(at, PHASES, -1, 0, at.state[VX], at.state[VY], at.state[SPIN])
         return shut(hand, law, at)
     for f in range(2):
         if own_until(hand, at, f) <= at.state[T]:

@@ -15,8 +15,9 @@ HELD = 16
 STATE_WIDTH = HELD + 6
 FLIGHT, ONE, TWO = 0, 1, 2
 """MODE: in flight, or held by so many contacts."""
-IMPACT, LANDS, LEAVES, SHUTS, ENDS = range(5)
-"""Kinds of event: impact, sustained contact begins, ends, a loop shuts about the disk for good, the run ends."""
+IMPACT, LANDS, LEAVES, SHUTS, ENDS, PHASES = range(6)
+"""Kinds of event: impact, sustained contact begins, ends, a loop shuts about the disk for good, the run ends, a phase of the
+hand's motion begins."""
 EVENT_WIDTH = 12
 """An event is (time, kind, body, feature, x, y, velocity before (2), after (2), spin before, after)."""
 MOST_TOUCHING, TOUCHING_WIDTH = 8, 7
