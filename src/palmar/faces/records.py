@@ -99,6 +99,13 @@ def comparison_record(result: Comparison) -> dict[str, Any]:
     """`palmar region CASE --compare A,B --json`."""
     return {
         "regions": {each.model.value: region_record(each) for each in result.regions},
+        "reaches": [
+            {
+                "angle_rad": each.angle,
+                "distance_m": dict(zip((region.model.value for region in result.regions), each.distances, strict=True)),
+            }
+            for each in result.reaches
+        ],
         "differences": [
             {
                 "promised_by": each.promised_by.value,

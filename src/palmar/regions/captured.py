@@ -53,7 +53,7 @@ def captured_region(case: Case, closure: Closure, tolerance: float | None) -> Re
     wanted = max(tolerance or SPACING * length, FINEST * length)
     nodes = nodes_inside(asked.caught, box, max(0, ceil(log2(box.width / box.cells / wanted))))
     found = outlined(asked.caught, nodes, (-0.5 * box.width, 0.0))
-    centre = areal(found.buffer(-MARGIN * nodes.step)) if not found.is_empty else EMPTY
+    centre = _inner(found, case, MARGIN * nodes.step)
     whole, flattening = (EMPTY, 0.0) if centre.is_empty else grown(centre, hand.radius, 1e-3 * hand.radius)
     es = asked.restitutions
     between = f"{len(es)} values from {es[0]:g} to {es[-1]:g}" if len(es) > 1 else f"{es[0]:g}"
@@ -73,6 +73,19 @@ def captured_region(case: Case, closure: Closure, tolerance: float | None) -> Re
         outer=areal(found.buffer(MARGIN * nodes.step)),
         spacing=nodes.step,
     )
+
+
+def _inner(found: MultiPolygon, case: Case, margin: float) -> MultiPolygon:
+    """The set without a margin (m) along its outline, but for where it ends because a disk lies on the flat open hand."""
+    if found.is_empty:
+        return EMPTY
+    flat = case.hand.open == 0.0 and case.hand.half_thickness == 0.0
+    left, low, right, _ = found.bounds
+    below = affinity.translate(
+        found.intersection(shapely.box(left, low, right, low + 2.0 * margin)), 0.0, -2.0 * margin
+    )
+    wide = shapely.union(found, below.convex_hull) if flat else found
+    return areal(wide.buffer(-margin).intersection(found))
 
 
 class Captured:

@@ -83,6 +83,9 @@ def _crossings(inside: Inside, held: NDArray[np.bool_], edges: list[Edge], at: F
     rows = np.arange(len(nodes))
     first = np.where(within[:, 0], 0, 1)
     low, high = (at + step * nodes[rows, each][:, ::-1] for each in (first, 1 - first))
+    last = np.array(held.shape) - 1
+    beyond = nodes[rows, 1 - first]
+    high = np.where(((beyond == 0) | (beyond == last)).any(axis=1)[:, None], low, high)  # nothing is known there
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         yes = inside(middle[:, 0], middle[:, 1])[:, None]

@@ -45,7 +45,7 @@ def region(
     tolerance: Annotated[
         Text, Parameter(help="In mm: how far curves may be flattened, or simulated starts be apart.")
     ] = None,
-    compare: Annotated[str | None, Parameter(help="Two models side by side, as exact,published.")] = None,
+    compare: Annotated[str | None, Parameter(help="Two or three models side by side, as exact,published.")] = None,
     error: Annotated[
         Text, Parameter(help="SX_MM,SY_MM[,STHETA_DEG] of a Gaussian pose error: adds the chance of a catch.")
     ] = None,

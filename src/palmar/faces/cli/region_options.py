@@ -62,11 +62,11 @@ def fineness(text: str | None, case: Case) -> float | None:
 
 
 def models(text: str) -> list[Model]:
-    """Two different models."""
+    """Two or three different models."""
     names = text.split(",")
     known = [each.value for each in Model]
-    if len(names) != 2 or names[0] == names[1] or any(each not in known for each in names):
-        raise InputError("--compare", repr(text[:60]), f"must be two of {', '.join(known)}, with a comma between")
+    if len(names) < 2 or len(set(names)) < len(names) or any(each not in known for each in names):
+        raise InputError("--compare", repr(text[:60]), f"must be two or three of {', '.join(known)}, commas between")
     return [Model(each) for each in names]
 
 

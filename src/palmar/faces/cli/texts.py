@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -47,7 +48,18 @@ def comparison_text(result: Comparison) -> str:
             f"{each.promised_by.value} {'finds' if found else 'promises'} {1e4 * each.where.area:.4g} cm2 that "
             f"{each.denied_by.value} does not{seen}."
         )
-    return "\n".join(lines if result.differences else [*lines, "They do not differ."])
+    if not result.differences:
+        lines.append("They do not differ.")
+    heads = ("farthest first contact", *(each.model.value for each in result.regions))
+    reaches = [
+        (f"at {math.degrees(each.angle):.0f} deg about a base joint", *(_millimetres(one) for one in each.distances))
+        for each in result.reaches
+    ]
+    return "\n".join([*lines, "", table([heads, *reaches])])
+
+
+def _millimetres(length: float | None) -> str:
+    return "-" if length is None else f"{1e3 * length:.1f} mm"
 
 
 def titled(name: str, case: Case, *parts: str) -> str:
