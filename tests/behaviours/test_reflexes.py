@@ -131,7 +131,7 @@ def policy() -> Approach:
 
 def followed(*steps: tuple[tuple[float, float], tuple[str, ...]]) -> tuple[object, Command]:
     """The last state and command after the arm has been at these places and felt that."""
-    reflex = FollowPolicy(DRIVE, policy(), 0.1, 0.4)
+    reflex = FollowPolicy(DRIVE, policy(), 0.1, 0.4, 3.0)
     state, command = reflex.begin(NOTHING), Command((), ())
     for time, ((x, y), felt) in enumerate(steps):
         state, command = reflex.step(state, replace(at(float(time), *felt), arm=(x, y, 0.0)))
