@@ -102,7 +102,7 @@ def moves(planner: Planner, belief: BaseGeometry, facing: float) -> list[Move]:
             offsets = np.concatenate([offsets[:1], flush, offsets[1:], beside])
             low = across[:, 0] - offsets[:, None, None]
             high = across[:, 1] - offsets[:, None, None]
-            touched: NDArray[np.bool_] = ((high > each.dead[:, :1]) & (low < each.dead[:, 1:])).any(axis=(1, 2))
+            touched = np.any((high > each.dead[:, :1]) & (low < each.dead[:, 1:]), axis=(1, 2))
             found[-1] += [
                 Move(turn, facing + turn, seen, each, float(x), dead)
                 for x, dead in zip(offsets, touched.tolist(), strict=True)

@@ -20,7 +20,7 @@ from palmar.models.sensors import Stretch
 from palmar.studies.plan_trial import Arrival, Errors, Run, Trial, drawn_starts
 
 Floats = NDArray[np.float64]
-ROUNDS = 40
+ROUNDS = 100
 """Times that a closing is sought before it is left with what it has."""
 GROWN, LEAST = 0.5, 1e-4
 """By which the bounds of known starts are grown, and at least, as a share of the uncertainty's."""
@@ -81,5 +81,5 @@ def _seek(run: Run, uncertainty: BaseGeometry, zone: _Zone, leaf: int, missing: 
     for each in run.arrivals(starts):
         if each.leaf == leaf and len(each.who):
             zone.take(starts[each.who])
-            found.append(replace(each, places=each.places[:missing], who=each.who[:missing]))
+            found.append(each if each.done else replace(each, places=each.places[:missing], who=each.who[:missing]))
     run.close(found)

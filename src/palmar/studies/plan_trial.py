@@ -94,12 +94,16 @@ def try_plan(
 
 @dataclass(frozen=True)
 class Arrival:
-    """Objects (N, 2) that came to a closing, seen from where the hand should be; which starts they are; at which leaf."""
+    """Objects (N, 2) that came to a closing, seen from where the hand should be; which starts they are; at which leaf.
+
+    ``done``: it has been closed on them already, to see what comes after.
+    """
 
     leaf: int
     node: Close
     places: Floats
     who: NDArray[np.int64]
+    done: bool = False
 
 
 @dataclass
@@ -129,8 +133,9 @@ class Run:
 
     def close(self, arrived: list[Arrival]) -> None:
         """Close on all that arrived, those with one opening at once."""
-        for opening in sorted({each.node.opening for each in arrived}):
-            here = [each for each in arrived if each.node.opening == opening]
+        waiting = [each for each in arrived if not each.done]
+        for opening in sorted({each.node.opening for each in waiting}):
+            here = [each for each in waiting if each.node.opening == opening]
             seen, who = (
                 np.concatenate([self._at_place(each) for each in here]),
                 np.concatenate([each.who for each in here]),
@@ -170,7 +175,7 @@ class Run:
         codes = self._closed(arrival.node.opening, self._at_place(arrival))
         missed = codes == Outcome.MISSED.code
         self._count(np.isin(codes[~missed], CAUGHT), arrival.who[~missed])
-        self.of_leaves[arrival.leaf] += int((~missed).sum())
+        yield replace(arrival, places=arrival.places[~missed], who=arrival.who[~missed], done=True)
         place = arrival.node.place
         yield from self._follow(otherwise, arrival.places[missed] - (place.x, place.y), arrival.who[missed], approaches)
 
@@ -188,8 +193,8 @@ class Run:
         if len(seen) == 0:
             return np.zeros(0, np.int8)
         codes = self.worlds[opening].ends(np.column_stack([seen, np.zeros(len(seen))])).codes.copy()
-        below = max(float(np.ptp(seen[:, 1])) + 4.0 * self.case.hand.finger_length, 0.0)
-        came = go_until_touched(hand, (), opening, self.case.object.radius, seen + (0.0, below), below)
+        below = float(np.ptp(seen[:, 1])) + 4.0 * self.case.hand.finger_length
+        came = go_until_touched(hand, (), opening, self.case.object.radius, seen + np.array([0.0, below]), below)
         codes[came.sensors != NOTHING] = Outcome.INVALID.code
         return codes
 

@@ -33,7 +33,7 @@ TRIED, GOING, CLOSING = 400, 24, 30
 
 @dataclass(frozen=True)
 class Moment:
-    """Hand (x, y, theta) (m, rad), base angles right and left (rad), object and belief (m), all in the frame of the start."""
+    """Hand (x, y, theta; m, rad), base angles right and left (rad), object and belief (m), in the frame of the start."""
 
     hand: Pose
     fingers: Pair

@@ -76,7 +76,7 @@ def _fingers(case: Case, moment: Moment) -> list[NDArray[np.float64]]:
     """Joints and tips (links + 1, 2) of the right and of the left finger, m, in the frame of the start."""
     x, y, theta = moment.hand
     return [
-        turned(finger_points(case.hand, (psi,), left=left), theta) + (x, y)
+        turned(finger_points(case.hand, (psi,), left=left), theta) + np.array([x, y])
         for psi, left in zip(moment.fingers, (False, True), strict=True)
     ]
 
