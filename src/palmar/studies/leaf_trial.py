@@ -1,8 +1,8 @@
 """So many objects for every closing of a plan, however seldom one comes there from where it may be.
 
 The first draws are from all of the uncertainty, corners and edge among them; all are followed to their end. Closings
-with too few arrivals are then sought where objects that came there started: within the bounds of those starts, grown by
-half; what comes to other closings is then left out, unless no closing is made for it.
+with too few arrivals are then sought where objects that came there started: within the bounds of those starts, a little
+grown, which grow with them; what comes to closings that have enough is then left out.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from palmar.studies.plan_trial import Arrival, Errors, Run, Trial, drawn_starts
 Floats = NDArray[np.float64]
 ROUNDS = 100
 """Times that a closing is sought before it is left with what it has."""
-GROWN, LEAST = 0.5, 1e-4
+GROWN, LEAST = 0.05, 1e-4
 """By which the bounds of known starts are grown, and at least, as a share of the uncertainty's."""
-DRAWN = 4
-"""Objects drawn for each that is missing, at most."""
+DRAWN, MOST = 1.5, 400_000
+"""Objects drawn for each that is missing, and at most."""
 
 
 @dataclass
@@ -61,25 +61,28 @@ def try_leaves(
     trial = run.trial(starts)
     rng = np.random.default_rng(seed + 1)
     for _ in range(ROUNDS):
-        missing = np.maximum(per_leaf - run.of_leaves, 0)
-        poor = [k for k in range(len(zones)) if missing[k] and np.isfinite(zones[k].low).all()]
-        if not poor:
-            break
+        poor = [k for k in range(len(zones)) if run.of_leaves[k] < per_leaf and np.isfinite(zones[k].low).all()]
         for leaf in poor:
-            _seek(run, uncertainty, zones[leaf], leaf, int(missing[leaf]), rng)
+            if run.of_leaves[leaf] < per_leaf:
+                _seek(run, uncertainty, zones, leaf, per_leaf, rng)
     after = run.trial(starts)
     return replace(after, examples=trial.examples)
 
 
-def _seek(run: Run, uncertainty: BaseGeometry, zone: _Zone, leaf: int, missing: int, rng: np.random.Generator) -> None:
-    """Draw where objects for a closing came from, and close on those that come there."""
+def _seek(
+    run: Run, uncertainty: BaseGeometry, zones: list[_Zone], leaf: int, per_leaf: int, rng: np.random.Generator
+) -> None:
+    """Draw where objects for a closing came from, and close on those that come there, or where others are missing."""
     left, bottom, right, top = uncertainty.bounds
+    zone, missing = zones[leaf], np.maximum(per_leaf - run.of_leaves, 0)
     grown = GROWN * (zone.high - zone.low) + LEAST * np.array([right - left, top - bottom])
-    starts = rng.uniform(zone.low - grown, zone.high + grown, (min(DRAWN * missing, 400_000) + 64, 2))
+    number = min(int(DRAWN * missing[leaf]), MOST) + 64
+    starts = rng.uniform(zone.low - grown, zone.high + grown, (number, 2))
     starts = starts[shapely.contains_xy(uncertainty, starts)]
     found: list[Arrival] = []
     for each in run.arrivals(starts):
-        if each.leaf == leaf and len(each.who):
-            zone.take(starts[each.who])
-            found.append(each if each.done else replace(each, places=each.places[:missing], who=each.who[:missing]))
+        if len(each.who):
+            zones[each.leaf].take(starts[each.who])
+        most = len(each.who) if each.done else int(missing[each.leaf])
+        found.append(replace(each, places=each.places[:most], who=each.who[:most]))
     run.close(found)
