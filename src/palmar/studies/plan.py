@@ -20,6 +20,7 @@ from palmar.geometry.planar_set import areal
 from palmar.mechanics.pushing.closing_case import straight_motion
 from palmar.models.case import Case
 from palmar.models.closure import Closure
+from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.sensors import Stretch
 from palmar.models.support import SupportKind
@@ -73,6 +74,10 @@ def plan(
     ``directions`` (rad): how far the hand may be turned from how it stands. Raises NotCoveredError for objects that are no
     disks.
     """
+    if rule is Rule.CLOSINGS and case.hand.fingers is Fingers.COLLIDING:
+        raise NotCoveredError(
+            "closings one after the other are for fingers that pass each other: others end alike on nothing and on an object"
+        )
     planner, stretches = planner_of(case, closure, directions)
     belief = affinity.translate(uncertainty, *at)
     if rule is Rule.RECENTRE:

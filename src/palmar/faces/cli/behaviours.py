@@ -14,6 +14,7 @@ from palmar.behaviours.descriptions import DESCRIPTIONS
 from palmar.errors import InputError
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, numbers, progress, show
 from palmar.faces.cli.texts import table, titled
+from palmar.faces.cli.travel import travel
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case
 from palmar.models.case_file import with_layout
@@ -27,6 +28,7 @@ app = App(name="behaviours")
 Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
 Number = Annotated[str, Parameter(allow_leading_hyphen=True)]
 NAMES = tuple(each.value for each in BehaviourName)
+app.command(travel, name="travel")
 
 
 @app.default
