@@ -1,8 +1,9 @@
 """How many approaches there must be: what no plan can do, whatever its offsets and distances.
 
 Said of every plan that approaches along y in one of the directions, with the fingers at one of the openings of the
-``Planner``, at any offset and over any distance, and closes from one of these openings after it has come straight from
-below. Even without errors such a plan meets everything that is found here, so nothing depends on how beliefs are grown.
+``Planner``, at any offset and over any distance, touches with no part that has no sensor, and closes from one of these
+openings after it has come straight from below. Even without errors such a plan meets everything that is found here, so
+nothing depends on how beliefs are grown.
 
 A belief that does not fit into the outer side of any region takes an approach. It takes more than n of them if for every
 offset there is a distance T (infinite, if need be) such that

@@ -38,7 +38,7 @@ FELT = Band(Role.HELD, "where it may be once this sensor has fired", 3.0)
 OTHER = Band(Role.SMALLEST, "where it may be once another has", 2.5, dashes=(0, (2, 1)))
 REGION = Band(Role.CENTRE, "from here closing catches it for certain", 1.0)
 BANDS = (BELIEF, FELT, OTHER, REGION)
-MOST_PANELS = 6
+MOST_PANELS = 4
 LEAST = 1.5e-3
 """Beliefs thinner than this share of the picture are drawn that thick."""
 
@@ -144,13 +144,12 @@ def _draw_end(axes: Axes, case: Case, policy: Policy, plan: Plan, extent: Extent
 
 def _facts(policy: Policy, sensor: int | None, plan: Plan) -> list[Fact]:
     """What the move is, and what it leads to."""
-    left, bottom, right, top = (1e3 * each for each in policy.belief.bounds)
+    left, bottom, right, top = (1e3 * each for each in _seen(policy).bounds)
     known = ("the object is known within", f"{right - left:.4g} mm across, {top - bottom:.4g} mm along", BELIEF.role)
     if isinstance(policy, Approach):
         felt = sensor_name(sensor, plan) or "nothing is felt"
-        most = ("for at most", f"{1e3 * policy.distance:.4g} mm", Role.CAPTION)
-        head = ("", f"{_turning(policy.turn)}pproach until a sensor fires", Role.CAPTION)
-        return [head, most, known, ("then, say", felt, FELT.role)]
+        head = f"{_turning(policy.turn)}pproach, at most {1e3 * policy.distance:.4g} mm, until a sensor fires"
+        return [("", head, Role.CAPTION), known, ("then, say", felt, FELT.role)]
     if isinstance(policy, Close):
         margin = f"{1e3 * policy.place.margin:.3g} mm"
         what = "Close: caught for certain" if policy.otherwise is None else "Close: caught if it is here"
