@@ -8,7 +8,7 @@ from math import inf, radians
 import numpy as np
 import pytest
 import shapely
-from shapely import LineString, Point, affinity, box
+from shapely import Point, affinity, box
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.fewest import Fewest
@@ -17,7 +17,6 @@ from palmar.behaviours.planner import Planner
 from palmar.behaviours.policy import is_guaranteed
 from palmar.behaviours.search import Search, fewest_approaches
 from palmar.behaviours.unfitting import outer_of, surely_unfit
-from palmar.geometry.columns import edges, lowest, spans
 from palmar.geometry.planar_set import areal
 from palmar.models.case import Case
 from palmar.models.hand import Hand
@@ -231,10 +230,3 @@ def test_a_belief_just_too_large_is_seen_to_be() -> None:
     disk = outer_of(areal(Point(0.0, 0.0).buffer(1.0, quad_segs=64)), 1e-9)
     assert surely_unfit(disk, box(0.0, 0.0, 1.43, 1.43))
     assert not surely_unfit(disk, box(0.0, 0.0, 1.41, 1.41))
-
-
-def test_the_lower_boundary_of_a_set() -> None:
-    shape = shapely.union_all([box(0.0, 1.0, 1.0, 2.0), box(0.5, 0.0, 2.0, 3.0), LineString([(3.0, 5.0), (4.0, 6.0)])])
-    found = lowest(edges(shape), np.array([-0.1, 0.2, 0.5, 0.7, 2.0, 2.5, 3.5]))
-    assert found.tolist() == [inf, 1.0, 0.0, 0.0, 0.0, inf, 5.5]
-    assert spans(shape) == [(0.0, 2.0), (3.0, 4.0)]

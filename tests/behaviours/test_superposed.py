@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi
 
-import numpy as np
 import pytest
 import shapely
 from shapely import Point, affinity, box
@@ -20,11 +18,9 @@ from palmar.models.case import Case
 from palmar.models.hand import Hand
 from palmar.models.objects import Disk
 from palmar.models.sensors import SensorLayout, Sensors
-from palmar.regions.hand_sweep import may_be_touched
 from palmar.studies.plan import planner_of
 from palmar.studies.plan_trial import Errors, Trial, drawn_starts, try_plan
 from palmar.studies.run_behaviour import run_behaviour
-from palmar.worlds.planar.feeling import NOTHING, go_until_touched
 from palmar.worlds.run import Ended
 
 HAND = Hand(palm_width=0.12, finger_links=(0.137, 0.107))
@@ -119,20 +115,6 @@ def test_closings_are_carried_out_in_the_planar_world() -> None:
         assert done.trace.ended is Ended.STOPPED and done.trace.outcome.caught
         closed.append(sum(each.what.startswith("close:") for each in done.trace.happenings))
     assert sorted(closed) == [1, 2, 3, 4]
-
-
-def test_all_that_closing_touches_lies_in_what_it_may_touch() -> None:
-    """Disks outside of it are clear of the still hand at every angle between, and of the hand as it comes and goes."""
-    hand, radius = HAND.model_copy(update={"finger_thickness": 0.02}), 0.03
-    last = straight_motion(hand).last
-    for opening in (0.0, 0.8):
-        swept = may_be_touched(hand, radius, opening, last, 3.0)
-        places = drawn_starts(box(-0.6, -0.5, 0.6, 0.6), 4000, 1)
-        outside = places[~shapely.contains_xy(swept, places)]
-        assert 500 < len(outside) < 3500
-        for psi in np.linspace(opening, min(last, pi), 40):
-            touch = go_until_touched(hand, (), float(psi), radius, outside + np.array([0.0, 1.0]), 1.0)
-            assert (touch.sensors == NOTHING).all()
 
 
 def test_strips_are_a_tree_of_approaches_to_the_end() -> None:

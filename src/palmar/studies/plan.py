@@ -10,8 +10,10 @@ from shapely import affinity
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.approach import Doubt
+from palmar.behaviours.fewest import Fewest
 from palmar.behaviours.placing import target
 from palmar.behaviours.planner import Opening, Planner
+from palmar.behaviours.policy import approaches
 from palmar.behaviours.recentring import recentring
 from palmar.behaviours.search import Found, fewest_approaches
 from palmar.behaviours.superposed import closings_only, strips
@@ -81,7 +83,8 @@ def plan(
     planner, stretches = planner_of(case, closure, directions)
     belief = affinity.translate(uncertainty, *at)
     if rule is Rule.RECENTRE:
-        found = Found(recentring(planner, belief, most), 0, False, 0)
+        policy = recentring(planner, belief, most)
+        found = Found(policy, Fewest(planner).least(belief, approaches(policy)), False, 0)
     elif rule is Rule.STRIPS:
         found = strips(planner, belief, most)
     elif rule is Rule.CLOSINGS:

@@ -33,7 +33,7 @@ def plan(
         str, Parameter(help="Where it may be about that place: disk:R_MM, box:W_MM,H_MM, FILE.geojson.")
     ],
     at: Annotated[Text, Parameter(help="X_MM,Y_MM: where the object is thought to be, else the case's start.")] = None,
-    approaches_max: Annotated[int, Parameter(help="The most approaches allowed.")] = 3,
+    approaches_max: Annotated[int, Parameter(help="The most approaches allowed; of strips, from a touch on.")] = 3,
     sensors: Annotated[
         str | None, Parameter(help="Instead of the case's: none, palm, tips, distributed, full, or PART[,PART...].")
     ] = None,
