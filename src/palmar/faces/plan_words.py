@@ -37,7 +37,8 @@ def _least(plan: Plan, most: int) -> str:
     if plan.found.least == 0 or plan.rule is Rule.CLOSINGS:
         return ""
     proved = "that none is there" if plan.found.least > most else f"that none has fewer than {plan.found.least}"
-    return f" It is proved{' of all offsets and distances' if plan.found.least > 1 else ''} {proved}."
+    hint = " Strips may do: --rule strips." if plan.rule is Rule.FEWEST and plan.stretches else ""
+    return f" It is proved{' of all offsets and distances' if plan.found.least > 1 else ''} {proved}.{hint}"
 
 
 def _assumed(plan: Plan) -> str:
