@@ -6,7 +6,9 @@ import pytest
 from shapely import Point, box
 
 from palmar.behaviours.approach import Doubt, sweep
+from palmar.behaviours.fewest import Fewest
 from palmar.behaviours.placing import place
+from palmar.behaviours.superposed import strips
 from palmar.models.case_file import with_layout
 from palmar.models.shipped import open_case
 from palmar.regions.profile import profile
@@ -39,3 +41,15 @@ def test_place_of_a_sensor_region(benchmark):
 def test_plan(benchmark, uncertainty):
     """Regions and profiles of four openings, and the search."""
     benchmark.pedantic(plan, (CASE, uncertainty, (0.0, 0.5), 3), rounds=3, warmup_rounds=1)
+
+
+@pytest.mark.parametrize("approaches", [1, 2])
+def test_bound_over_all_offsets(benchmark, approaches):
+    """No plan within so many approaches, for a palm that alone feels."""
+    planner, _ = planner_of(with_layout(CASE, "palm", "sensors"))
+    benchmark.pedantic(lambda: Fewest(planner).rules_out(BELIEF, approaches), rounds=5, warmup_rounds=1)
+
+
+def test_strips(benchmark):
+    planner, _ = planner_of(CASE)
+    benchmark.pedantic(strips, (planner, box(-1.0, 0.5, 1.0, 1.5), 2), rounds=5, warmup_rounds=1)

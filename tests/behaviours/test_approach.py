@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 import pytest
 import shapely
 from shapely import Point, Polygon, affinity, box
 
-from palmar.behaviours.approach import Doubt, sweep
+from palmar.behaviours.approach import Doubt, farthest, sweep
 from palmar.behaviours.placing import around, place, target
 from palmar.geometry.planar_set import areal
 from palmar.models.hand import Hand
@@ -115,3 +117,29 @@ def test_a_place_is_proved_whatever_the_erosion_says(monkeypatch: pytest.MonkeyP
     """A wrong set of places does not become a wrong proof."""
     monkeypatch.setattr("palmar.behaviours.placing.shrunk", lambda region, uncertainty: region)
     assert place(target(areal(box(0.0, 0.0, 1.0, 1.0))), box(0.3, 0.3, 1.2, 1.2)) is None
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_an_approach_may_go_on_until_a_dead_part_would_touch(seed: int) -> None:
+    """By sphere tracing: nothing unfelt is touched by then, and something is a millimetre later."""
+    rng = np.random.default_rng(seed)
+    stretches = (*Sensors(layout=SensorLayout.TIPS).stretches(HAND), Stretch(body="palm"))
+    opening, x = (0.0, 0.3, 1.1, 1.2)[seed % 4], float(rng.uniform(-0.1, 0.1))
+    seen = profile(HAND, RADIUS, stretches, opening)
+    belief = affinity.rotate(box(-0.2, 0.4, 0.15, 0.6), rng.uniform(0.0, 90.0))
+    doubt = Doubt(displacement=0.004, pose_error=0.003)
+    way = farthest(belief, seen, x, doubt)
+    assert way < inf
+    swept = sweep(belief, seen, x, doubt, way)
+    assert swept is not None and swept.distance == pytest.approx(way)
+    assert sweep(belief, seen, x, doubt, way + 1e-3) is None
+    starts = drawn_starts(belief, 40_000, seed)
+    off = _shifts(rng, doubt.pose_error, len(starts))
+    for distance, some in ((way, False), (way + 4e-3, True)):
+        touches = go_until_touched(HAND, stretches, opening, RADIUS, starts - (x, swept.y) + off, distance)
+        assert (touches.sensors == UNFELT).any() == some
+
+
+def test_without_dead_parts_an_approach_may_go_on_for_ever() -> None:
+    seen = profile(HAND, RADIUS, Sensors(layout=SensorLayout.FULL).stretches(HAND), 0.3)
+    assert farthest(BELIEFS["disk"], seen, 0.0, Doubt()) == inf

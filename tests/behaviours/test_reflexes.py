@@ -11,7 +11,7 @@ from shapely import box
 from palmar.behaviours.build import reflex_of
 from palmar.behaviours.close import Closing
 from palmar.behaviours.descriptions import DESCRIPTIONS
-from palmar.behaviours.follow_policy import FollowPolicy
+from palmar.behaviours.follow_policy import FollowPolicy, Grab, Move
 from palmar.behaviours.jointed import JointedReflex, Phase
 from palmar.behaviours.move_and_grab import MoveAndGrab
 from palmar.behaviours.move_while_closing import MoveWhileClosing
@@ -131,7 +131,7 @@ def policy() -> Approach:
 
 def followed(*steps: tuple[tuple[float, float], tuple[str, ...]]) -> tuple[object, Command]:
     """The last state and command after the arm has been at these places and felt that."""
-    reflex = FollowPolicy(DRIVE, policy(), 0.1, 0.4)
+    reflex = FollowPolicy(DRIVE, policy(), 0.1, 0.4, 3.0)
     state, command = reflex.begin(NOTHING), Command((), ())
     for time, ((x, y), felt) in enumerate(steps):
         state, command = reflex.step(state, replace(at(float(time), *felt), arm=(x, y, 0.0)))
@@ -151,6 +151,27 @@ def test_a_plan_is_followed_sideways_then_forward_until_a_sensor_fires() -> None
     assert isinstance(state.node, Close)
     assert command.velocity == pytest.approx((0.0, -0.1))
     assert state.legs[-2].to == pytest.approx((0.12, 0.44))
+
+
+def test_a_plan_in_which_the_hand_turns_is_refused() -> None:
+    with pytest.raises(NotCoveredError, match="does not turn"):
+        FollowPolicy(DRIVE, replace(policy(), turn=0.1), 0.1, 0.4, 3.0)
+
+
+def test_a_closing_on_nothing_is_followed_by_what_comes_after() -> None:
+    """Both fingers at their last angle: back until below all that is left, then sideways; one held up before: the end."""
+    island, other = box(-0.05, 0.5, 0.05, 0.6), box(0.9, 0.2, 1.0, 0.3)
+    after = Close(other, Place(0.95, -0.3, 0.0), 0.0)
+    reflex = FollowPolicy(DRIVE, Close(island, Place(0.0, 0.0, 0.0), 0.0, otherwise=after), 0.1, 0.4, 3.0)
+    closed = replace(NOTHING, right=(3.0, 0.0), left=(3.0, 0.0), stalled=(True, True))
+    state = reflex.begin(NOTHING)
+    assert [leg.to[1] for leg in state.legs if isinstance(leg, Move)] == pytest.approx([-0.2, -0.2, 0.0])
+    state = replace(state, legs=(Grab(),))
+    state, command = reflex.step(state, closed)
+    assert state.node == after
+    assert command.velocity == pytest.approx((0.0, -0.1))
+    held = replace(closed, right=(2.0, 0.0))
+    assert reflex.step(replace(state, node=reflex.policy, legs=(Grab(),)), held)[1].stop
 
 
 def test_a_plan_ends_where_it_knows_no_way() -> None:

@@ -68,6 +68,11 @@ def test_the_hardest_branch_is_drawn(capsys, tmp_path: Path, ending: str) -> Non
     ("words", "said"),
     [
         ([*PLAN, "--approaches-max", "9"], "must be from 0 to 6"),
+        ([*PLAN, "--directions", "25"], "must be 1 to 24"),
+        ([*PLAN, "--directions=0,x"], "--directions"),
+        ([*PLAN, "--directions=0,361"], "from -360 to 360 deg"),
+        ([*PLAN, "--directions", "4", "--rule", "strips"], "only with --rule fewest"),
+        (["plan", "testbed_table_thick", "--uncertainty", "disk:9", "--rule", "closings"], "pass each other"),
         ([*PLAN, "--trial", "-3"], "must be from 0 to 1000000"),
         ([*PLAN, "--out", "x.dxf"], "svg, pdf or png"),
         ([*PLAN, "--animate", "x.mp4"], "gif"),
@@ -94,6 +99,62 @@ def test_a_plan_is_filmed_from_the_first_approach_to_the_grasp(capsys, tmp_path:
     assert called(capsys, *words, "--animate", str(file))[0] == 0
     with Image.open(file) as film:
         assert film.n_frames > 30
+
+
+WIDE = ["plan", "testbed_table", "--at", "0,1000", "--uncertainty", "box:1200,200", "--sensors", "distributed"]
+
+
+def test_a_bound_for_all_offsets_stands_beside_the_plan(capsys) -> None:
+    record = json.loads(called(capsys, *WIDE, "--json")[1])
+    assert (record["approaches_max"], record["approaches_least"], record["minimal"]) == (2, 2, True)
+    assert "Certain, in at most 2 approaches (no plan needs fewer)." in called(capsys, *WIDE)[1]
+    palm = json.loads(called(capsys, *PLAN[:-1], "palm", "--json")[1])
+    assert (palm["guaranteed"], palm["approaches_least"], palm["minimal"]) == (False, 4, False)
+    assert "It is proved of all offsets and distances that none is there." in called(capsys, *PLAN[:-1], "palm")[1]
+
+
+def test_a_plan_names_the_direction_of_each_move(capsys, tmp_path: Path) -> None:
+    file, film = tmp_path / "turned.png", tmp_path / "turned.gif"
+    words = [*WIDE, "--directions", "4", "--out", str(file), "--animate", str(film)]
+    record = json.loads(called(capsys, *words, "--json", "--trial", "2000")[1])
+    assert record["approaches_max"] == 1
+    assert abs(record["policy"]["turn_rad"]) == pytest.approx(1.5707963)
+    assert record["trial"]["caught"] == 2000
+    text = called(capsys, *WIDE, "--directions=0,-90")[1]
+    assert "turn by -90 deg, approach from" in text
+    assert file.stat().st_size > 5000 and film.stat().st_size > 5000
+
+
+def test_a_wide_uncertainty_is_searched_strip_by_strip(capsys, tmp_path: Path) -> None:
+    file = tmp_path / "strips.png"
+    words = ["plan", "testbed_table", "--at", "0,1500", "--uncertainty", "box:3000,1000", "--sensors", "distributed"]
+    none = json.loads(called(capsys, *words, "--json")[1])
+    assert none["guaranteed"] is False and none["approaches_least"] == 4
+    record = json.loads(called(capsys, *words, "--rule", "strips", "--json", "--trial", "3000", "--out", str(file))[1])
+    assert record["guaranteed"] is True and record["rule"] == "strips"
+    assert record["approaches_least"] <= record["approaches_max"] == 5
+    assert record["trial"]["lost"] == 0 and record["trial"]["approaches_max"] <= 5
+    text = called(capsys, *words, "--rule", "strips")[1]
+    assert text.count("nothing felt: go on") == 4
+    assert file.stat().st_size > 5000
+
+
+def test_islands_are_closed_on_without_touch(capsys, tmp_path: Path) -> None:
+    islands = tmp_path / "islands.geojson"
+    boxes = [[[x, y], [x + 80, y], [x + 80, y + 80], [x, y + 80], [x, y]] for x, y in ((0, 0), (900, 0), (0, 900))]
+    islands.write_text(json.dumps({"type": "MultiPolygon", "coordinates": [[each] for each in boxes]}))
+    film = tmp_path / "islands.gif"
+    words = ["plan", "testbed_table", "--at", "0,500", "--uncertainty", str(islands), "--rule", "closings"]
+    record = json.loads(called(capsys, *words, "--json", "--trial", "2000", "--animate", str(film))[1])
+    assert (record["guaranteed"], record["approaches_max"], record["closings_max"]) == (True, 0, 3)
+    assert record["policy"]["if_missed"]["if_missed"]["move"] == "close"
+    assert record["trial"]["caught"] == 2000
+    text = called(capsys, *words, "--out", str(tmp_path / "islands.svg"))[1]
+    assert "Certain, with at most 3 closings and no touch." in text
+    assert text.count("fingers closed on nothing: go on") == 2
+    refused = called(capsys, *PLAN, "--rule", "closings")[1]
+    assert "the object would be pushed unfelt" in refused
+    assert film.stat().st_size > 5000
 
 
 def test_what_touch_buys(capsys, tmp_path: Path) -> None:

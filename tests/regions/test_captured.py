@@ -48,7 +48,7 @@ def test_it_has_the_known_area_and_radii() -> None:
     reaches = {round(np.degrees(each.angle)): each.distances[0] for each in compare_regions(
         CASE, [Model.EXACT, Model.CORRECTED], Closure.FRICTIONAL).reaches}  # fmt: skip
     assert [reaches[angle] for angle in (15, 30, 45, 60, 75, 90)] == pytest.approx(KNOWN, abs=7e-4)
-    assert reaches[0] == pytest.approx(0.0426, abs=1e-3)
+    assert reaches[0] == pytest.approx(0.0426, abs=1.5e-3)
 
 
 @pytest.mark.parametrize("model", [Model.PUBLISHED, Model.CORRECTED])

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi, sqrt
 
 import numpy as np
 import pytest
 import shapely
-from shapely import Point, box
+from shapely import Point, affinity, box
 
+from palmar.behaviours.fewest import Fewest
+from palmar.behaviours.placing import Place
 from palmar.behaviours.policy import Approach, Close, approaches, is_guaranteed, leaves
+from palmar.behaviours.search import Search, moves, width
 from palmar.errors import NotCoveredError
 from palmar.models.case import Case
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.sensors import SensorLayout, Sensors, Stretch
 from palmar.regions.profile import above
+from palmar.studies.leaf_trial import try_leaves
 from palmar.studies.plan import Plan, Rule, plan, planner_of
 from palmar.studies.plan_trial import Errors, Trial, drawn_starts, try_plan
 
@@ -128,6 +133,81 @@ def test_what_no_plan_covers_is_refused() -> None:
     case = case_of(SensorLayout.FULL).model_copy(update={"object": square})
     with pytest.raises(NotCoveredError, match="disks"):
         plan(case, Point(0.0, 0.0).buffer(0.1), (0.0, 0.4), 1)
+
+
+def test_an_approach_stops_before_a_part_without_a_sensor_would_touch() -> None:
+    """Two islands: what the palm feels, and what lies where the finger would touch if it went on."""
+    case, at = case_of(SensorLayout.PALM), (0.0, 0.0)
+    islands = shapely.union_all([box(-0.045, 0.4, 0.045, 0.5), box(0.15, 1.0, 0.25, 1.1)])
+    found = plan(case, islands, at, 2)
+    assert is_guaranteed(found.found.policy) and found.found.minimal
+    assert isinstance(found.found.policy, Approach)
+    assert {each.sensor for each in found.found.policy.branches} == {0, None}
+    trial = tried(case, found, islands, at, Errors(**DOUBT))
+    assert trial.caught == trial.starts
+    whole = replace(found.found.policy, distance=2.0)
+    starts = drawn_starts(islands, 2000, 4)
+    assert try_plan(case, whole, found.stretches, starts, Errors(**DOUBT), 1).surprised > 0
+
+
+def test_an_approach_stops_before_a_sensor_has_felt_too_much(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Were all beliefs up to 0.2 m of width certain, a slanted one of 0.29 m would be cut by the distance alone."""
+    case = case_of((Stretch(body="palm"),), BED.model_copy(update={"palm_width": 1.2}))
+    planner, _ = planner_of(case)
+    belief = affinity.translate(affinity.rotate(box(-0.26, -0.02, 0.26, 0.02), 60.0), 0.0, 1.0)
+    search = Search(planner, Fewest(planner))
+    fits = Close(belief, Place(0.0, 0.0, 0.0), 0.0)
+    monkeypatch.setattr(Search, "closing", lambda self, part, facing: fits if width(part) < 0.2 else None)
+    move = next(each for each in moves(planner, belief, 0.0) if not each.dead)
+    swept = search.swept(move)
+    assert swept is not None and max(width(each.belief) for each in swept.felt) > 0.2
+    policy = search._stopped(belief, move, swept, 1)
+    assert isinstance(policy, Approach) and policy.distance < swept.distance - 0.05
+    assert sorted(each.sensor is None for each in policy.branches) == [False, True]
+    assert max(width(each.belief) for each in policy.branches) < 0.2
+
+
+def test_a_hand_that_may_turn_needs_fewer_approaches() -> None:
+    """A box too wide to be felt in one approach from before it, not from its side; turned both ways alike."""
+    case, uncertainty, at = case_of(SensorLayout.DISTRIBUTED), box(-0.6, -0.1, 0.6, 0.1), (0.0, 1.0)
+    assert approaches(plan(case, uncertainty, at, 3).found.policy) == 2
+    for turn in (0.5 * pi, -0.5 * pi):
+        found = plan(case, uncertainty, at, 3, directions=(0.0, turn))
+        assert is_guaranteed(found.found.policy) and approaches(found.found.policy) == 1
+        assert isinstance(found.found.policy, Approach) and found.found.policy.turn == pytest.approx(turn)
+        trial = tried(case, found, uncertainty, at, Errors(**DOUBT))
+        assert trial.caught == trial.starts
+
+
+def test_turns_of_the_belief_and_of_the_hand_are_the_same() -> None:
+    case, turn = case_of(SensorLayout.TIPS), 0.4
+    belief = box(-0.05, 0.4, 0.05, 1.2)
+    straight = plan(case, belief, (0.0, 0.0), 3)
+    turned = plan(case, affinity.rotate(belief, turn, origin=(0.0, 0.0), use_radians=True), (0.0, 0.0), 3,
+                  directions=(turn,))  # fmt: skip
+    assert approaches(turned.found.policy) == approaches(straight.found.policy) == 2
+    assert turned.found.least == straight.found.least
+    trial = tried(
+        case, turned, affinity.rotate(belief, turn, origin=(0.0, 0.0), use_radians=True), (0.0, 0.0), Errors(**DOUBT)
+    )
+    assert trial.caught == trial.starts
+
+
+def test_every_leaf_is_tried_as_often() -> None:
+    case = case_of(SensorLayout.FULL)
+    uncertainty = Point(0.0, 0.6).buffer(0.28)
+    found = plan(case, uncertainty, (0.0, 0.0), 2)
+    trial = try_leaves(case, found.found.policy, found.stretches, uncertainty, Errors(**DOUBT), 500, 1)
+    assert min(trial.of_leaves) >= 500
+    assert trial.caught == trial.starts >= 500 * len(trial.of_leaves)
+
+
+def test_a_false_bit_costs_the_object_where_the_belief_is_wrong() -> None:
+    case, uncertainty, at = case_of(SensorLayout.DISTRIBUTED), Point(0.0, 0.0).buffer(0.28), (0.0, 0.6)
+    found = plan(case, uncertainty, at, 2)
+    trial = tried(case, found, uncertainty, at, Errors(**DOUBT, false=0.1))
+    assert 0.04 < 1.0 - trial.caught / trial.starts <= 0.12
+    assert tried(case, found, uncertainty, at, Errors(**DOUBT, false=1.0)).lost > 2000
 
 
 def test_a_plan_is_a_tree_of_places_that_can_be_gone_to() -> None:

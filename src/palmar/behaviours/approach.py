@@ -13,6 +13,7 @@ each time it moves. Every belief is in the frame of the commanded pose.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 import shapely
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 from shapely import LineString, Polygon, affinity
 from shapely.geometry.base import BaseGeometry
 
+from palmar.geometry.columns import edges, lowest
 from palmar.regions.profile import DEAD, Piece, Profile
 
 Floats = NDArray[np.float64]
@@ -27,6 +29,8 @@ EDGE = 1e-3
 """Share of the flattening by which pieces overlap, so that a place just over an end belongs to both."""
 ARC = 8
 """Chords to a quarter circle where a belief is grown; it is grown by that much more."""
+SPARE = 1.02
+"""How much farther than must be an approach stays from what it must not touch."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +84,26 @@ def sweep(
     if missed.area > 0.0:
         found.append(Felt(None, missed))
     return Sweep(x, begin, way, tuple(found))
+
+
+def farthest(belief: BaseGeometry, profile: Profile, x: float, doubt: Doubt) -> float:
+    """The distance (m) over which ``sweep`` at x may go before a part without a sensor could touch; inf without such."""
+    dead = [each for each in profile.pieces if each.owner == DEAD]
+    if not dead:
+        return inf
+    room = SPARE * (max(each.blur for each in dead) + profile.flattening)
+    seen = grow(belief, doubt.pose_error)
+    lines = edges(affinity.translate(grow(seen, room), -x))
+    first = inf
+    for piece in dead:
+        wide = piece.blur + EDGE * profile.flattening
+        begin, end = float(piece.points[0, 0]) - wide, float(piece.points[-1, 0]) + wide
+        corners = np.unique(lines[:, [0, 2]])
+        corners = corners[(corners > begin) & (corners < end)]
+        at = np.concatenate([[begin, end], piece.points[:, 0], corners])
+        over = lowest(lines, at) - np.interp(at, piece.points[:, 0], piece.points[:, 1])
+        first = min(first, float(over.min()))
+    return first - (seen.bounds[1] - profile.top - profile.flattening)
 
 
 def swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeometry:

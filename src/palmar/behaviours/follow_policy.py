@@ -9,8 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import hypot
 
-from palmar.behaviours.policy import Approach, Close, Lost, Policy
+from palmar.behaviours.policy import Approach, Close, Lost, Policy, is_straight
 from palmar.behaviours.reflex import INSTANT, Drive
+from palmar.behaviours.verdict import AT_END
+from palmar.errors import NotCoveredError
 from palmar.models.motion import Command, Observation
 
 Place = tuple[float, float]
@@ -53,12 +55,20 @@ class Following:
 
 @dataclass(frozen=True)
 class FollowPolicy:
-    """``speed`` (m/s) of the arm; ``clearance`` (m): below an object by that much, no part of the hand can touch it."""
+    """``speed`` (m/s) of the arm; ``clearance`` (m): below an object by that much, no part of the hand can touch it.
+
+    ``last`` (rad) is the base angle at which an empty hand ends. Raises NotCoveredError where the hand should turn.
+    """
 
     drive: Drive
     policy: Policy
     speed: float
     clearance: float
+    last: float
+
+    def __post_init__(self) -> None:
+        if not is_straight(self.policy):
+            raise NotCoveredError('behaviour "follow_policy" is for plans in which the hand does not turn')
 
     def begin(self, seen: Observation) -> Following:
         """At the root."""
@@ -69,7 +79,7 @@ class FollowPolicy:
         while state.legs:
             leg, *rest = state.legs
             if isinstance(leg, Grab):
-                return state, self.drive.close_to_the_end(seen, "close: certain from here")
+                return self._grab(state, seen)
             if isinstance(leg, Move) and leg.feels and isinstance(state.node, Approach):
                 number, branch = _branch(state.node, seen)
                 if branch is not None:
@@ -84,6 +94,15 @@ class FollowPolicy:
                 continue
             return self._go(state, leg, seen)
         return state, self.drive.end("the plan ends here without a grasp")
+
+    def _grab(self, state: Following, seen: Observation) -> tuple[Following, Command]:
+        """Close to the end; go on if something is to be done after fingers that have closed on nothing."""
+        assert isinstance(state.node, Close)
+        if state.node.otherwise is None or not all(seen.stalled):
+            return state, self.drive.close_to_the_end(seen, "close: certain from here")
+        if any(joints[0] < self.last - AT_END for joints in (seen.right, seen.left)):
+            return state, self.drive.end("a finger is held up before its end: caught")
+        return self.step(self._enter(state.node.otherwise, seen), seen)
 
     def _unfelt(self, state: Following, seen: Observation) -> tuple[Following, Command]:
         """The approach is over and nothing was felt."""
@@ -124,7 +143,7 @@ class FollowPolicy:
             return Following(node, ())
         here = seen.arm[0], seen.arm[1]
         dx, dy = (node.x, node.y) if isinstance(node, Approach) else (node.place.x, node.place.y)
-        below = here[1] + min(0.0, dy, float(node.belief.bounds[1]) - self.clearance)
+        below = here[1] + min(0.0, dy, _bottom(node) - self.clearance)
         x, y = here[0] + dx, here[1] + dy
         around: tuple[Leg, ...] = (
             Move((here[0], below), "straight back"),
@@ -136,6 +155,14 @@ class FollowPolicy:
         there = x, y + node.distance
         approach = Move((x, y), "forward to the approach"), Move(there, "approach until a sensor fires", True)
         return Following(node, (*around, *approach))
+
+
+def _bottom(node: Approach | Close) -> float:
+    """The least y (m) at which an object may be that this move, or one after it without a touch, is for."""
+    bottom = float(node.belief.bounds[1])
+    if isinstance(node, Close) and isinstance(node.otherwise, Close):
+        bottom = min(bottom, node.place.y + _bottom(node.otherwise))
+    return bottom
 
 
 def _branch(node: Approach, seen: Observation) -> tuple[int | None, Policy | None]:

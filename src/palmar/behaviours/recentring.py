@@ -9,8 +9,8 @@ from __future__ import annotations
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.approach import sweep
+from palmar.behaviours.planner import Planner
 from palmar.behaviours.policy import Approach, Branch, Lost, Policy
-from palmar.behaviours.search import Planner
 
 
 def recentring(planner: Planner, belief: BaseGeometry, most: int) -> Policy:

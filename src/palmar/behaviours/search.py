@@ -2,176 +2,242 @@
 
 A belief is done if it fits into the region at some place and opening. Else an approach cuts it, and every part must be
 done with one approach fewer. Offsets are tried on a grid across the belief, from the middle outwards, and where it just
-passes a part without a sensor; approaches in which such a part could touch are left out. So "none with fewer" is said of
-that grid, and only if the search came to its end within the number of approaches looked at that it is given.
+passes a part without a sensor. An approach goes on until all that can be touched has been; if that does not do, it is
+stopped before. The farther it goes, the more a sensor may have felt and the less is left, so that of all distances the
+longest is best after which every sensor still has a way on: it is bisected, from where a part without a sensor would touch.
+
+Numbers of approaches that ``fewest`` rules out are not searched. "None with so many" is otherwise said of the grid, and
+only if the search came to its end within the number of approaches looked at that it is given.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import inf
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from palmar.behaviours.approach import Doubt, Sweep, grow, sweep
-from palmar.behaviours.placing import Place, Target, place
-from palmar.behaviours.policy import Approach, Branch, Close, Lost, Policy
-from palmar.regions.profile import DEAD, Profile
+from palmar.behaviours.approach import Felt, Sweep, farthest, sweep
+from palmar.behaviours.fewest import Fewest
+from palmar.behaviours.planner import Opening, Planner
+from palmar.behaviours.policy import Approach, Branch, Close, Lost, Policy, approaches, is_guaranteed
 
 Floats = NDArray[np.float64]
-OFFSETS = 32
-"""Offsets tried to either side of the middle."""
 BESIDE = 1e-6
 """Gap between a belief and a part without a sensor that it just passes, as a share of its width."""
-MOST_SWEEPS = 600
-"""Approaches that a search looks at before it gives up."""
-
-
-@dataclass(frozen=True)
-class Opening:
-    """Fingers at one base angle (rad): the profile then, and the region of closing from there."""
-
-    angle: float
-    profile: Profile
-    target: Target
-
-    @property
-    def dead(self) -> Floats:
-        """Intervals of x (K, 2) in which a part without a sensor would touch."""
-        spans = [each.points[[0, -1], 0] for each in self.profile.pieces if each.owner == DEAD]
-        return np.array(spans).reshape(-1, 2)
+LOOKS, LOOKS_A_SWEEP = 100, 6.0
+"""Intervals of offsets looked at to see that a belief need not be searched, and how many take as long as an approach."""
+EFFORT = 150
+"""First moves compared where no plan was found."""
+HALVINGS = 5
+"""Of the distance of an approach that is stopped."""
 
 
 @dataclass(frozen=True)
 class Found:
-    """A policy; whether no plan with fewer approaches is on the grid; how many approaches were looked at."""
+    """A policy; the number of approaches below which there is none (``fewest``).
+
+    ``exhausted``: whether the search came to its end; ``sweeps``: how many approaches were looked at.
+    """
 
     policy: Policy
-    minimal: bool
+    least: int
+    exhausted: bool
     sweeps: int
+
+    @property
+    def minimal(self) -> bool:
+        """Whether the policy is certain and no other needs fewer approaches, whatever their offsets and distances."""
+        return is_guaranteed(self.policy) and approaches(self.policy) == self.least
 
 
 @dataclass(frozen=True)
-class Planner:
-    """What the search needs of a hand; ``openings`` in the order in which they are preferred."""
+class Move:
+    """An approach to try: the hand turns, sees the belief as ``seen``, and goes in line with x (m); ``facing`` then (rad).
 
-    openings: tuple[Opening, ...]
-    doubt: Doubt
-    offsets: int = OFFSETS
-    most_sweeps: int = MOST_SWEEPS
+    ``dead``: a part without a sensor may touch if it goes on to the end.
+    """
 
-    def plan(self, belief: BaseGeometry, most: int) -> Found:
-        """The policy with the fewest approaches in the worst case, up to ``most``; else one that leaves little."""
-        search = _Search(self)
-        for depth in range(most + 1):
-            found = search.solve(belief, depth)
-            if found is not None:
-                return Found(found, not search.spent, search.sweeps)
-        return Found(search.best_effort(belief, most), not search.spent, search.sweeps)
+    turn: float
+    facing: float
+    seen: BaseGeometry
+    opening: Opening
+    x: float
+    dead: bool
 
-    def closing(self, belief: BaseGeometry) -> Close | None:
-        """The proof that one placed closing motion catches all of a belief, with the largest margin; None without one."""
-        doubtful = grow(belief, self.doubt.pose_error)
-        best: tuple[Place, Opening] | None = None
-        for each in self.openings:
-            found = place(each.target, doubtful)
-            if found is not None and (best is None or found.margin > best[0].margin):
-                best = found, each
-        return None if best is None else Close(belief, best[0], best[1].angle)
 
-    def moves(self, belief: BaseGeometry) -> list[tuple[Opening, float]]:
-        """Approaches to try: for each opening offsets across the belief, from the middle outwards, and beside dead parts."""
-        across = _across(belief, self.doubt.pose_error)
+def fewest_approaches(planner: Planner, belief: BaseGeometry, most: int, facing: float = 0.0) -> Found:
+    """The policy with the fewest approaches in the worst case, up to ``most``; else one that leaves little."""
+    search = Search(planner, Fewest(planner))
+    least = 0
+    for depth in range(most + 1):
+        if least == depth and search.fewest.rules_out(belief, depth, facing):
+            least = depth + 1
+            continue
+        found = search.solve(belief, depth, facing)
+        if found is not None:
+            return Found(found, least, not search.spent, search.sweeps)
+    return Found(search.best_effort(belief, most, facing), least, not search.spent, search.sweeps)
+
+
+def moves(planner: Planner, belief: BaseGeometry, facing: float) -> list[Move]:
+    """For each opening and turn offsets across the belief: middle, flush with a side, outwards, and beside dead parts."""
+    steps = np.concatenate(
+        [[0.0], *((each, -each) for each in np.arange(1, planner.offsets + 1) / (planner.offsets + 1.0))]
+    )
+    found: list[list[Move]] = []
+    for turn, seen in planner.turned(belief, facing):
+        found.append([])
+        across = _across(seen, planner.doubt.pose_error)
         left, right = float(across.min()), float(across.max())
-        steps = np.concatenate(
-            [[0.0], *((each, -each) for each in np.arange(1, self.offsets + 1) / (self.offsets + 1.0))]
-        )
-        moves, near = [], BESIDE * (right - left)
-        for each in self.openings:
+        near = BESIDE * (right - left)
+        for each in planner.openings:
             reach = 0.5 * (right - left + each.profile.right - each.profile.left)
             beside = np.concatenate([right - each.dead[:, 0] + near, left - each.dead[:, 1] - near])
-            offsets = np.concatenate([0.5 * (left + right) + reach * steps, beside])
+            flush = np.array([left - each.profile.left - near, right - each.profile.right + near])
+            offsets = 0.5 * (left + right) + reach * steps
+            offsets = np.concatenate([offsets[:1], flush, offsets[1:], beside])
             low = across[:, 0] - offsets[:, None, None]
             high = across[:, 1] - offsets[:, None, None]
-            touched = (high > each.dead[:, :1]) & (low < each.dead[:, 1:])
-            moves += [(each, float(x)) for x in offsets[~touched.any(axis=(1, 2))]]
-        return moves
+            touched = np.any((high > each.dead[:, :1]) & (low < each.dead[:, 1:]), axis=(1, 2))
+            found[-1] += [
+                Move(turn, facing + turn, seen, each, float(x), dead)
+                for x, dead in zip(offsets, touched.tolist(), strict=True)
+            ]
+    return [move for same in zip(*found, strict=True) for move in same]
 
 
 @dataclass
-class _Search:
-    """One search and the approaches it has looked at."""
+class Search:
+    """One search, the approaches it has looked at, and the time that proofs took, counted in approaches."""
 
     planner: Planner
+    fewest: Fewest
     sweeps: int = 0
+    proofs: float = 0.0
     spent: bool = False
-    closings: dict[bytes, Close | None] = field(default_factory=dict)
+    closings: dict[tuple[bytes, float], Close | None] = field(default_factory=dict)
 
-    def solve(self, belief: BaseGeometry, depth: int) -> Policy | None:
+    def solve(self, belief: BaseGeometry, depth: int, facing: float) -> Policy | None:
         """A policy within so many approaches; None if none was found."""
-        closing = self._closing(belief)
-        if closing is not None or depth == 0 or self._too_wide(belief, depth):
+        closing = self.closing(belief, facing)
+        if closing is not None or depth == 0 or self._is_hopeless(belief, depth, facing):
             return closing
-        for opening, x in self.planner.moves(belief):
-            found = self._through(belief, opening, x, depth)
+        late: list[tuple[Move, Sweep | None]] = []
+        for move in moves(self.planner, belief, facing):
+            if move.dead:
+                late.append((move, None))
+                continue
+            found = self._through(belief, move, depth, late)
+            if found is not None or self.spent:
+                return found
+        for move, seen in late:
+            found = self._stopped(belief, move, seen, depth)
             if found is not None or self.spent:
                 return found
         return None
 
-    def _closing(self, belief: BaseGeometry) -> Close | None:
-        key = shapely.to_wkb(belief)
+    def _is_hopeless(self, belief: BaseGeometry, depth: int, facing: float) -> bool:
+        """Whether a short look proves that a belief need not be searched."""
+        proved = self.fewest.rules_out(belief, depth, facing, LOOKS)
+        self.proofs += (LOOKS - self.fewest.looks) / LOOKS_A_SWEEP
+        return proved
+
+    def closing(self, belief: BaseGeometry, facing: float) -> Close | None:
+        """The planner's proof for a belief, looked for once."""
+        key = shapely.to_wkb(belief), facing
         if key not in self.closings:
-            self.closings[key] = self.planner.closing(belief)
+            self.closings[key] = self.planner.closing(belief, facing)
         return self.closings[key]
 
-    def _too_wide(self, belief: BaseGeometry, depth: int) -> bool:
-        """Whether so many approaches cannot even touch all of a belief, but for parts that fit into the region."""
-        across = max(each.profile.right - each.profile.left for each in self.planner.openings)
-        region = max(each.target.extent[0] for each in self.planner.openings)
-        return _width(belief) > depth * across + (depth + 1) * region
-
-    def _swept(self, belief: BaseGeometry, opening: Opening, x: float) -> Sweep | None:
+    def swept(self, move: Move, distance: float | None = None) -> Sweep | None:
         """An approach that touches something; None for any other, or when enough have been looked at."""
-        if self.sweeps >= self.planner.most_sweeps:
+        if self.sweeps + self.proofs >= self.planner.most_sweeps:
             self.spent = True
             return None
         self.sweeps += 1
-        swept = sweep(belief, opening.profile, x, self.planner.doubt)
+        swept = sweep(move.seen, move.opening.profile, move.x, self.planner.doubt, distance)
         return None if swept is None or all(each.sensor is None for each in swept.felt) else swept
 
-    def _through(self, belief: BaseGeometry, opening: Opening, x: float, depth: int) -> Policy | None:
-        """The policy of one approach if every part of the belief can be done afterwards; the widest part is asked first."""
-        swept = self._swept(belief, opening, x)
+    def stopped(self, move: Move) -> Sweep | None:
+        """An approach that stops before a part without a sensor could touch."""
+        distance = farthest(move.seen, move.opening.profile, move.x, self.planner.doubt)
+        return self.swept(move, None if distance == inf else distance) if distance > 0.0 else None
+
+    def _through(
+        self, belief: BaseGeometry, move: Move, depth: int, late: list[tuple[Move, Sweep | None]]
+    ) -> Policy | None:
+        """The policy of an approach to the end; noted in ``late`` if it only goes too far."""
+        swept = self.swept(move)
         if swept is None:
             return None
-        branches = []
-        for each in sorted(swept.felt, key=lambda felt: -_width(felt.belief)):
-            then = self.solve(each.belief, depth - 1)
-            if then is None:
-                return None
-            branches.append(Branch(each.sensor, each.belief, then))
-        return Approach(belief, x, swept.y, swept.distance, opening.angle, tuple(branches))
+        branches, failed = self._branches(swept, depth, move.facing)
+        if failed is not None and failed.sensor is not None:
+            late.append((move, swept))
+        return None if failed is not None else _approach(belief, move, swept, branches)
 
-    def best_effort(self, belief: BaseGeometry, depth: int) -> Policy:
+    def _stopped(self, belief: BaseGeometry, move: Move, seen: Sweep | None, depth: int) -> Policy | None:
+        """The policy of an approach that stops before its end: bisected, for the longest way with a way on."""
+        tried = self.stopped(move) if seen is None else seen
+        if tried is None:
+            return None
+        left = [each.belief for each in tried.felt if each.sensor is None]
+        if any(self.solve(each, depth - 1, move.facing) is None for each in left):
+            return None
+        low, high = 0.0, tried.distance
+        for _ in range(HALVINGS):
+            branches, failed = self._branches(tried, depth, move.facing)
+            if failed is None:
+                return _approach(belief, move, tried, branches)
+            low, high = (tried.distance, high) if failed.sensor is None else (low, tried.distance)
+            again = self.swept(move, 0.5 * (low + high))
+            if again is None:
+                return None
+            tried = again
+        return None
+
+    def _branches(self, swept: Sweep, depth: int, facing: float) -> tuple[tuple[Branch, ...], Felt | None]:
+        """What comes after each outcome, the widest asked first; and the first outcome without a way on."""
+        branches = []
+        for each in sorted(swept.felt, key=lambda felt: -width(felt.belief)):
+            then = self.solve(each.belief, depth - 1, facing)
+            if then is None:
+                return (), each
+            branches.append(Branch(each.sensor, each.belief, then))
+        return tuple(branches), None
+
+    def best_effort(self, belief: BaseGeometry, depth: int, facing: float) -> Policy:
         """A policy that leaves some belief: of all first moves the one that leaves the narrowest, then the same again."""
-        closing = self._closing(belief)
+        closing = self.closing(belief, facing)
         if closing is not None or depth == 0:
             return closing or Lost(belief)
-        best: tuple[float, Opening, Sweep] | None = None
-        for opening, x in self.planner.moves(belief):
-            swept = sweep(belief, opening.profile, x, self.planner.doubt)
+        best: tuple[float, Move, Sweep] | None = None
+        tried = [each for each in moves(self.planner, belief, facing) if not each.dead]
+        for move in tried[:: 1 + len(tried) // EFFORT]:
+            swept = sweep(move.seen, move.opening.profile, move.x, self.planner.doubt)
             if swept is None:
                 continue
-            left = max((_width(each.belief) for each in swept.felt if self._closing(each.belief) is None), default=0.0)
-            if left < (_width(belief) if best is None else best[0]):
-                best = left, opening, swept
+            left = max(
+                (width(each.belief) for each in swept.felt if self.closing(each.belief, move.facing) is None),
+                default=0.0,
+            )
+            if left < (width(belief) if best is None else best[0]):
+                best = left, move, swept
         if best is None:
             return Lost(belief)
-        _, opening, swept = best
-        branches = (Branch(each.sensor, each.belief, self.best_effort(each.belief, depth - 1)) for each in swept.felt)
-        return Approach(belief, swept.x, swept.y, swept.distance, opening.angle, tuple(branches))
+        _, move, swept = best
+        branches = (
+            Branch(each.sensor, each.belief, self.best_effort(each.belief, depth - 1, move.facing))
+            for each in swept.felt
+        )
+        return _approach(belief, move, swept, tuple(branches))
+
+
+def _approach(belief: BaseGeometry, move: Move, swept: Sweep, branches: tuple[Branch, ...]) -> Approach:
+    return Approach(belief, swept.x, swept.y, swept.distance, move.opening.angle, branches, move.turn)
 
 
 def _across(belief: BaseGeometry, margin: float) -> Floats:
@@ -180,6 +246,7 @@ def _across(belief: BaseGeometry, margin: float) -> Floats:
     return np.stack([bounds[:, 0] - margin, bounds[:, 2] + margin], axis=1)
 
 
-def _width(belief: BaseGeometry) -> float:
+def width(belief: BaseGeometry) -> float:
+    """Of a belief across the way (m)."""
     left, _, right, _ = belief.bounds
     return float(right - left)

@@ -5,26 +5,40 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees
 
-from palmar.behaviours.policy import Approach, Close, Policy, approaches, is_guaranteed
+from palmar.behaviours.policy import Approach, Close, Policy, approaches, closings, is_guaranteed
 from palmar.faces.plan_record import sensor_name, why_not
-from palmar.studies.plan import Plan
+from palmar.studies.plan import Plan, Rule
 from palmar.studies.plan_trial import Trial
 
 
 def plan_text(plan: Plan, most: int, trial: Trial | None) -> str:
     """The verdict, the tree, what it rests on, and the trial."""
     policy = plan.found.policy
-    if is_guaranteed(policy):
-        number = approaches(policy)
-        least = "the fewest there are on the grid searched" if plan.found.minimal else "fewer were not searched out"
-        verdict = f"Certain, in at most {number} approach{'es' * (number != 1)} ({least})."
-    else:
-        verdict = f"Not certain: {why_not(plan, most)}."
+    verdict = _sure(plan) if is_guaranteed(policy) else f"Not certain: {why_not(plan, most)}.{_least(plan, most)}"
     lines = [verdict, "", *_moves(policy, plan, "")]
     lines += ["", _assumed(plan)]
     if trial is not None:
         lines += ["", _tried(trial)]
     return "\n".join(lines)
+
+
+def _sure(plan: Plan) -> str:
+    number, tries = approaches(plan.found.policy), closings(plan.found.policy)
+    many = f"{number} approach{'es' * (number != 1)}"
+    if plan.rule is Rule.CLOSINGS:
+        return f"Certain, with at most {tries} closing{'s' * (tries != 1)} and no touch."
+    if plan.found.minimal:
+        return f"Certain, in at most {many} (no plan needs fewer)."
+    return f"Certain, in at most {many} (no plan needs fewer than {plan.found.least}, as far as was proved)."
+
+
+def _least(plan: Plan, most: int) -> str:
+    """What is proved, whatever the offsets and distances."""
+    if plan.found.least == 0 or plan.rule is Rule.CLOSINGS:
+        return ""
+    proved = "that none is there" if plan.found.least > most else f"that none has fewer than {plan.found.least}"
+    hint = " Strips may do: --rule strips." if plan.rule is Rule.FEWEST and plan.stretches else ""
+    return f" It is proved{' of all offsets and distances' if plan.found.least > 1 else ''} {proved}.{hint}"
 
 
 def _assumed(plan: Plan) -> str:
@@ -43,18 +57,33 @@ def _tried(trial: Trial) -> str:
 
 
 def _moves(policy: Policy, plan: Plan, indent: str) -> Iterator[str]:
+    """What follows if nothing is felt, or caught, is not indented: it is the next thing that the hand does."""
     if isinstance(policy, Close):
         at, spare = _place(policy.place.x, policy.place.y), f"{1e3 * policy.place.margin:.3g} mm to spare"
-        yield f"{indent}close at {at}, fingers open to {degrees(policy.opening):.3g} deg; {spare}"
+        fingers = f"fingers open to {degrees(policy.opening):.3g} deg"
+        yield f"{indent}{_turn(policy.turn)}close at {at}, {fingers}; {spare}"
+        if policy.otherwise is not None:
+            yield f"{indent}  fingers closed on nothing: go on"
+            yield from _moves(policy.otherwise, plan, indent)
     elif isinstance(policy, Approach):
         at, fingers = _place(policy.x, policy.y), f"fingers open to {degrees(policy.opening):.3g} deg"
-        yield f"{indent}approach from {at} along y, {fingers}, until a sensor fires or {1e3 * policy.distance:.4g} mm"
+        until = f"until a sensor fires or {1e3 * policy.distance:.4g} mm"
+        yield f"{indent}{_turn(policy.turn)}approach from {at} along y, {fingers}, {until}"
         for each in policy.branches:
-            yield f"{indent}  {sensor_name(each.sensor, plan) or 'nothing felt'}:"
-            yield from _moves(each.then, plan, indent + "    ")
+            if each.sensor is not None:
+                yield f"{indent}  {sensor_name(each.sensor, plan)}:"
+                yield from _moves(each.then, plan, indent + "    ")
+        for each in policy.branches:
+            if each.sensor is None:
+                yield f"{indent}  nothing felt: go on"
+                yield from _moves(each.then, plan, indent)
     else:
         left, bottom, right, top = (1e3 * each for each in policy.belief.bounds)
         yield f"{indent}no way on; the object is in x {left:.4g} to {right:.4g}, y {bottom:.4g} to {top:.4g} mm"
+
+
+def _turn(angle: float) -> str:
+    return "" if angle == 0.0 else f"turn by {degrees(angle):.4g} deg, "
 
 
 def _place(x: float, y: float) -> str:

@@ -41,7 +41,7 @@ def area_centroid(vertices: Points) -> tuple[float, float]:
     return float(centre[0]), float(centre[1])
 
 
-def turned(vertices: Points, angle: float) -> Floats:
+def turned(vertices: Points | Floats, angle: float) -> Floats:
     """Vertices (N, 2) turned by ``angle`` (rad) about the frame's origin."""
     points = np.asarray(vertices, dtype=float)
     cosine, sine = np.cos(angle), np.sin(angle)

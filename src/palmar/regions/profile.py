@@ -202,6 +202,12 @@ def _blur(slope: float, crossing: float, flattening: float) -> float:
 
 def above(seen: Profile, height: float) -> BaseGeometry:
     """Centres (m) that the hand, coming straight up to where it is, has not touched: over the profile, or beside it."""
+    rounded = shapely.union_all([LineString(each.points) for each in seen.pieces]).buffer(seen.flattening)
+    return not_below(seen, height).difference(rounded)
+
+
+def not_below(seen: Profile, height: float) -> BaseGeometry:
+    """Centres (m) over the profile's chords, up to a ``height`` (m), or beside it: all that may not have been touched."""
     over = []
     for piece in seen.pieces:
         left, right = piece.points[0, 0], piece.points[-1, 0]
@@ -210,5 +216,4 @@ def above(seen: Profile, height: float) -> BaseGeometry:
         shapely.box(seen.left - height, 0.0, seen.left, height),
         shapely.box(seen.right, 0.0, seen.right + height, height),
     ]
-    rounded = shapely.union_all([LineString(each.points) for each in seen.pieces]).buffer(seen.flattening)
-    return shapely.union_all([*over, *beside]).difference(rounded)
+    return shapely.union_all([*over, *beside])

@@ -10,23 +10,45 @@ from shapely import affinity
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.approach import Doubt
+from palmar.behaviours.fewest import Fewest
 from palmar.behaviours.placing import target
+from palmar.behaviours.planner import Opening, Planner
+from palmar.behaviours.policy import approaches
 from palmar.behaviours.recentring import recentring
-from palmar.behaviours.search import Found, Opening, Planner
+from palmar.behaviours.search import Found, fewest_approaches
+from palmar.behaviours.superposed import closings_only, strips
 from palmar.errors import NotCoveredError
 from palmar.geometry.planar_set import areal
+from palmar.mechanics.pushing.closing_case import straight_motion
 from palmar.models.case import Case
 from palmar.models.closure import Closure
+from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.sensors import Stretch
 from palmar.models.support import SupportKind
 from palmar.regions.exact import exact_region
-from palmar.regions.profile import above, profile
+from palmar.regions.hand_sweep import may_be_touched
+from palmar.regions.profile import above, not_below, profile
 
 OTHER_OPENINGS = tuple(radians(each) for each in (30.0, 60.0, 75.0))
 """Base angles (rad) tried beside the case's own."""
 COARSE = 1e-4
 """Flattening of the regions closed from, as a share of the finger's length."""
+FAR = 10.0
+"""Finger lengths beyond which nothing is of interest to a closing motion."""
+
+
+class Rule(Enum):
+    """How the next approach is chosen."""
+
+    FEWEST = "fewest"
+    """By search: as few approaches as can be found."""
+    RECENTRE = "recentre"
+    """The source's: under the middle of what is known."""
+    STRIPS = "strips"
+    """Strip beside strip across what is known, from one side to the other, and a plan of its own for what is felt."""
+    CLOSINGS = "closings"
+    """No touch: close where the object may be, one place after the other."""
 
 
 @dataclass(frozen=True)
@@ -37,15 +59,7 @@ class Plan:
     stretches: tuple[Stretch, ...]
     doubt: Doubt
     closure: Closure
-
-
-class Rule(Enum):
-    """How the next approach is chosen."""
-
-    FEWEST = "fewest"
-    """By search: as few approaches as can be found."""
-    RECENTRE = "recentre"
-    """The source's: under the middle of what is known."""
+    rule: Rule = Rule.FEWEST
 
 
 def plan(
@@ -55,19 +69,34 @@ def plan(
     most: int,
     closure: Closure = Closure.FRICTIONAL,
     rule: Rule = Rule.FEWEST,
+    directions: tuple[float, ...] = (0.0,),
 ) -> Plan:
     """The plan for an object whose centre is at ``at`` (m, hand frame) up to the set of errors ``uncertainty`` (m).
 
-    Raises NotCoveredError for objects that are no disks.
+    ``directions`` (rad): how far the hand may be turned from how it stands. Raises NotCoveredError for objects that are no
+    disks.
     """
-    planner, stretches = planner_of(case, closure)
+    if rule is Rule.CLOSINGS and case.hand.fingers is Fingers.COLLIDING:
+        raise NotCoveredError(
+            "closings one after the other are for fingers that pass each other: others end alike on nothing and on an object"
+        )
+    planner, stretches = planner_of(case, closure, directions)
     belief = affinity.translate(uncertainty, *at)
     if rule is Rule.RECENTRE:
-        return Plan(Found(recentring(planner, belief, most), False, 0), stretches, planner.doubt, closure)
-    return Plan(planner.plan(belief, most), stretches, planner.doubt, closure)
+        policy = recentring(planner, belief, most)
+        found = Found(policy, Fewest(planner).least(belief, approaches(policy)), False, 0)
+    elif rule is Rule.STRIPS:
+        found = strips(planner, belief, most)
+    elif rule is Rule.CLOSINGS:
+        found = closings_only(planner, belief)
+    else:
+        found = fewest_approaches(planner, belief, most)
+    return Plan(found, stretches, planner.doubt, closure, rule)
 
 
-def planner_of(case: Case, closure: Closure = Closure.FRICTIONAL) -> tuple[Planner, tuple[Stretch, ...]]:
+def planner_of(
+    case: Case, closure: Closure = Closure.FRICTIONAL, directions: tuple[float, ...] = (0.0,)
+) -> tuple[Planner, tuple[Stretch, ...]]:
     """What the search needs of a case: for every opening the profile and the region; and the sensors."""
     if not isinstance(case.object, Disk) or case.support.pressure_centre != (0.0, 0.0):
         raise NotCoveredError("plans are for disks pressed about their centre: the sensors' regions need a radius")
@@ -77,13 +106,24 @@ def planner_of(case: Case, closure: Closure = Closure.FRICTIONAL) -> tuple[Plann
     low, high = case.hand.base_limits
     angles = dict.fromkeys((case.hand.open, *(each for each in OTHER_OPENINGS if low <= each < high)))
     openings = tuple(opening_of(case, stretches, angle, closure) for angle in angles)
-    return Planner(openings, Doubt(case.sensors.displacement, case.sensors.pose_error)), stretches
+    return Planner(openings, Doubt(case.sensors.displacement, case.sensors.pose_error), directions), stretches
 
 
 def opening_of(case: Case, stretches: tuple[Stretch, ...], angle: float, closure: Closure) -> Opening:
     """Profile and closing region of a disk's case with the fingers at a base angle (rad)."""
     assert isinstance(case.object, Disk)
     opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": float(angle)})})
-    region = exact_region(opened, closure, COARSE * case.hand.finger_length).centre
-    seen = profile(case.hand, case.object.radius, stretches, angle)
-    return Opening(angle, seen, target(areal(region.intersection(above(seen, 10.0 * case.hand.finger_length)))))
+    region, radius, far = (
+        exact_region(opened, closure, COARSE * case.hand.finger_length),
+        case.object.radius,
+        FAR * case.hand.finger_length,
+    )
+    seen = profile(case.hand, radius, stretches, angle)
+    assert region.outer is not None
+    return Opening(
+        angle,
+        seen,
+        target(areal(region.centre.intersection(above(seen, far)))),
+        areal(region.outer.intersection(not_below(seen, far))),
+        may_be_touched(case.hand, radius, angle, straight_motion(case.hand).last, far),
+    )

@@ -78,4 +78,5 @@ def behaviour_of(case: Case) -> Reflex[Any]:
     found = plan(case.model_copy(update={"behaviour": Behaviour()}), about, case.start.at, MOST_APPROACHES)
     hand = case.hand
     clearance = hand.finger_length + hand.half_thickness + case.object.radius
-    return FollowPolicy(drive_of(case), found.found.policy, case.behaviour.speed, clearance)
+    last = straight_motion(hand).last
+    return FollowPolicy(drive_of(case), found.found.policy, case.behaviour.speed, clearance, last)

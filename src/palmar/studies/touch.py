@@ -17,7 +17,7 @@ from shapely import LineString, MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.approach import Doubt, grow
-from palmar.behaviours.search import Opening, Planner
+from palmar.behaviours.planner import Opening, Planner
 from palmar.geometry.planar_set import areal
 from palmar.models.case import Case
 from palmar.models.closure import Closure

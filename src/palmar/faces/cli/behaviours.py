@@ -15,6 +15,7 @@ from palmar.faces.cli.behaviour_options import Layout, Massive, Named, Number, n
 from palmar.faces.cli.behaviour_region import region
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.texts import table, titled
+from palmar.faces.cli.travel import travel
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case
 from palmar.models.quantity import file_key, unit_of
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 
 app = App(name="behaviours")
 app.command(region)
+app.command(travel)
 Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import pi, radians
 from pathlib import Path
 from typing import Annotated
 
@@ -9,7 +10,7 @@ from cyclopts import App, Parameter
 
 from palmar.behaviours.policy import is_guaranteed
 from palmar.errors import InputError
-from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, progress, show
+from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.region_options import place_given
 from palmar.faces.cli.texts import titled
 from palmar.faces.plan_record import plan_record
@@ -20,7 +21,7 @@ from palmar.models.shipped import open_case
 from palmar.studies.plan import Rule
 
 app = App(name="plan")
-MOST_APPROACHES, MOST_TRIALS = 6, 1_000_000
+MOST_APPROACHES, MOST_TRIALS, MOST_DIRECTIONS = 6, 1_000_000, 24
 Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
 
 
@@ -32,13 +33,20 @@ def plan(
         str, Parameter(help="Where it may be about that place: disk:R_MM, box:W_MM,H_MM, FILE.geojson.")
     ],
     at: Annotated[Text, Parameter(help="X_MM,Y_MM: where the object is thought to be, else the case's start.")] = None,
-    approaches_max: Annotated[int, Parameter(help="The most approaches allowed.")] = 3,
+    approaches_max: Annotated[int, Parameter(help="The most approaches allowed; of strips, from a touch on.")] = 3,
     sensors: Annotated[
         str | None, Parameter(help="Instead of the case's: none, palm, tips, distributed, full, or PART[,PART...].")
     ] = None,
     rule: Annotated[
-        Rule, Parameter(help="fewest: by search; recentre: under the middle of what is known.")
+        Rule,
+        Parameter(
+            help="fewest: by search; recentre: under the middle of what is known; strips: side by side across it;"
+            " closings: one place after the other, without touch."
+        ),
     ] = Rule.FEWEST,
+    directions: Annotated[
+        Text, Parameter(help="Ways the hand may face: how many all around, or DEG[,DEG...] from as it stands.")
+    ] = None,
     closure: Annotated[Closure, Parameter(help="structural takes the contacts as frictionless.")] = Closure.FRICTIONAL,
     trial: Annotated[int, Parameter(help="Also simulate so many objects drawn from the uncertainty.")] = 0,
     seed: Annotated[int, Parameter(help="Of the objects drawn.")] = 0,
@@ -64,7 +72,8 @@ def plan(
         given = with_layout(given, sensors, "--sensors")
     errors = parse_uncertainty(uncertainty)
     place = given.start.at if at is None else place_given(at)
-    found = planned(given, errors, place, approaches_max, closure, rule)
+    facing = (0.0,) if directions is None else _directions(directions, rule)
+    found = planned(given, errors, place, approaches_max, closure, rule, facing)
     tried = None
     if trial > 0:
         progress(f"simulating {trial} objects")
@@ -87,6 +96,23 @@ def plan(
         json,
     )
     answer(is_guaranteed(found.found.policy), check)
+
+
+def _directions(text: str, rule: Rule) -> tuple[float, ...]:
+    """A number of ways all around, or degrees -> rad."""
+    if rule is not Rule.FEWEST:
+        raise InputError("--directions", repr(text[:60]), f"only with --rule fewest, not {rule.value}")
+    if text.isdecimal():
+        many = int(text)
+        if not 1 <= many <= MOST_DIRECTIONS:
+            raise InputError(
+                "--directions", text[:60], f"must be 1 to {MOST_DIRECTIONS}, or DEG[,DEG...] with a sign or point"
+            )
+        return tuple(2.0 * pi * k / many for k in range(many))
+    values = numbers(text, "--directions", tuple(range(1, MOST_DIRECTIONS + 1)), "N or DEG[,DEG...]")
+    if max(abs(each) for each in values) > 360.0:
+        raise InputError("--directions", repr(text[:60]), "must be from -360 to 360 deg")
+    return tuple(radians(each) for each in values)
 
 
 def _within(option: str, value: int, low: int, high: int) -> None:

@@ -57,11 +57,11 @@ def draw_hand(
         draw_finger(axes, hand, (psi, *distal), left=left, at=at, ghost=ghost)
 
 
-def draw_palm(axes: Axes, hand: Hand, *, at: Place = (0.0, 0.0), ghost: bool = False) -> None:
-    """The palm line between the base joints."""
-    ends = [(at[0] - hand.half_palm, at[1]), (at[0] + hand.half_palm, at[1])]
+def draw_palm(axes: Axes, hand: Hand, *, at: Place = (0.0, 0.0), facing: float = 0.0, ghost: bool = False) -> None:
+    """The palm line between the base joints of a hand turned by ``facing`` (rad)."""
+    ends = turned(((-hand.half_palm, 0.0), (hand.half_palm, 0.0)), facing) + at
     role, level = (Role.GHOST, PALM_LEVEL - GHOST_DROP) if ghost else (Role.PALM, PALM_LEVEL)
-    stroke(axes, MM * np.array(ends), role, level=level, width=HEAVY)
+    stroke(axes, MM * ends, role, level=level, width=HEAVY)
 
 
 def draw_wall(axes: Axes, height: float) -> None:
@@ -84,12 +84,13 @@ def draw_finger(
     *,
     left: bool = False,
     at: Place = (0.0, 0.0),
+    facing: float = 0.0,
     ghost: bool = False,
 ) -> None:
-    """One finger with its joints; angles as in ``finger_points``."""
+    """One finger with its joints, of a hand turned by ``facing`` (rad); angles as in ``finger_points``."""
     role, drop = (Role.GHOST, GHOST_DROP) if ghost else (Role.HAND, 0.0)
     level = FINGER_LEVEL - drop
-    points = MM * (finger_points(hand, joints, left=left) + at)
+    points = MM * (turned(finger_points(hand, joints, left=left), facing) + at)
     if hand.finger_thickness > 0.0:
         capsule = LineString(points).buffer(MM * hand.half_thickness, quad_segs=24)
         shape(axes, capsule.exterior.coords, role, level=level, width=FINE if ghost else 0.7 * NORMAL)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from numpy.typing import NDArray
 
 from palmar.faces.plots.areas import draw_area
 from palmar.faces.plots.gif import Picture, rendered, write_gif
@@ -15,6 +16,7 @@ from palmar.faces.plots.region_picture import millimetre_ticks
 from palmar.faces.plots.sheet import MARGIN, Extent, Pad, Room, sheet
 from palmar.faces.plots.style import HEADING_SIZE, Role
 from palmar.geometry.planar_set import areal
+from palmar.geometry.polygon import turned
 from palmar.models.case import Case
 from palmar.studies.plan import Plan
 from palmar.studies.plan_walk import Moment, longest_way, walk
@@ -35,10 +37,7 @@ def _extent(case: Case, moments: list[Moment]) -> Extent:
     """All that the hand and the belief ever cover."""
     found = Extent(*moments[0].belief.bounds)
     for each in moments:
-        right, left = (
-            finger_points(case.hand, (psi,), left=side) for psi, side in zip(each.fingers, (False, True), strict=True)
-        )
-        points = np.concatenate([right, left]) + each.hand
+        points = np.concatenate(_fingers(case, each))
         (x, y), (x_most, y_most) = points.min(axis=0), points.max(axis=0)
         found = found.joined(Extent(float(x), float(y), float(x_most), float(y_most)))
     return found
@@ -55,7 +54,17 @@ def _picture(case: Case, moment: Moment, extent: Extent) -> Picture:
     return rendered(page.figure)
 
 
+def _fingers(case: Case, moment: Moment) -> list[NDArray[np.float64]]:
+    """Joints and tips (links + 1, 2) of the right and of the left finger, m, in the frame of the start."""
+    x, y, theta = moment.hand
+    return [
+        turned(finger_points(case.hand, (psi,), left=left), theta) + np.array([x, y])
+        for psi, left in zip(moment.fingers, (False, True), strict=True)
+    ]
+
+
 def _draw_hand(axes: Axes, case: Case, moment: Moment) -> None:
-    draw_palm(axes, case.hand, at=moment.hand)
+    x, y, facing = moment.hand
+    draw_palm(axes, case.hand, at=(x, y), facing=facing)
     for psi, left in zip(moment.fingers, (False, True), strict=True):
-        draw_finger(axes, case.hand, (psi,), left=left, at=moment.hand)
+        draw_finger(axes, case.hand, (psi,), left=left, at=(x, y), facing=facing)
