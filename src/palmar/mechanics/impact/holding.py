@@ -27,7 +27,16 @@ from palmar.mechanics.impact.capture_state import (
 from palmar.mechanics.impact.collision import ImpactLaw
 from palmar.mechanics.impact.contact_view import BASE, END, PALM, SIDE, demand, gap_at, wall_at
 from palmar.mechanics.impact.finger_motion import FASTER, RATE, CaptureHand, Floats, joint_bounds, side_of
-from palmar.mechanics.impact.next_contact import NOTHING, SKIN, TOUCH, end_view, parabola_root, side_bound, side_view
+from palmar.mechanics.impact.next_contact import (
+    GRAZE,
+    NOTHING,
+    SKIN,
+    TOUCH,
+    end_view,
+    parabola_root,
+    side_bound,
+    side_view,
+)
 from palmar.mechanics.impact.sliding import from_link, pivot_by_steps, slide_by_steps, slide_freely, to_link
 
 STRIDE = 0.03
@@ -171,10 +180,11 @@ def free_step(
     s, n, small = at.state, len(hand.lengths), TOUCH * reach
     x, y, vx, vy, off = s[X], s[Y], s[VX], s[VY], hand.radius + hand.half_thickness
     step, least, speed = most, most / 64.0, hypot(vx, vy) + pull * most
+    graze = -GRAZE * speed
     if not _is_held(hand, at, PALM, SIDE):
         up = 1.0 if y > 0.0 else -1.0
         gap = up * y - hand.radius
-        if gap <= small and up * vy < 0.0 and gap > -SKIN * reach and abs(x) <= hand.half_palm:
+        if gap <= small and up * vy < graze and gap > -SKIN * reach and abs(x) <= hand.half_palm:
             return 0.0, PALM, SIDE, int(up)
         step = min(step, max(parabola_root(max(gap, 0.0), up * vy, pull), 0.0 if gap > small else least))
     for f in range(2):
@@ -182,7 +192,7 @@ def free_step(
         far = hypot(qx, y)
         if not _is_held(hand, at, 1 + f * n, BASE):
             rate = (qx * ux + y * vy) / far
-            if far - off <= small and rate < 0.0:
+            if far - off <= small and rate < graze:
                 return 0.0, 1 + f * n, BASE, 1
             step = min(step, max(parabola_root(max(far - off, 0.0), rate, pull), 0.0 if far - off > small else least))
         until = s[T] + most - at.fingers[f, 0]
@@ -190,7 +200,7 @@ def free_step(
             b = 1 + f * n + j
             if not _is_held(hand, at, b, END):
                 apart, rate = end_view(hand, at.fingers[f], j, s[T], qx, y, ux, vy)
-                if apart - off <= small and rate < 0.0:
+                if apart - off <= small and rate < graze:
                     return 0.0, b, END, 1
                 bound = pull + joint_bounds(hand, at.fingers[f], j + 1, until)[1]
                 clear = parabola_root(max(apart - off, 0.0), rate, bound)
@@ -199,7 +209,7 @@ def free_step(
                 w, rate, foot = side_view(hand, at.fingers[f], j, s[T], qx, y, ux, vy)
                 up = 1.0 if w > 0.0 else -1.0
                 gap, on = up * w - off, 0.0 <= foot <= hand.lengths[j]
-                if gap <= small and up * rate < 0.0 and on:
+                if gap <= small and up * rate < graze and on:
                     return 0.0, b, SIDE, int(up)
                 bound = pull + side_bound(hand, at.fingers[f], j, until, far + speed * most, speed)
                 clear = parabola_root(abs(gap), up * rate if gap > 0.0 else -up * rate, bound)

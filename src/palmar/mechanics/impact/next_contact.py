@@ -31,7 +31,7 @@ TOUCH = 1e-14
 SKIN = 1e-10
 """Overlap, in reaches, that is still a touch."""
 GRAZE = 1e-13
-"""Part of the speed at which a wall at rest that touches is approached by rounding only."""
+"""Part of the speed at which a wall that touches is approached by rounding only."""
 MOST_STEPS = 400
 NOTHING, UNSURE = -1, -2
 """Instead of a body: no contact; none before the time returned, from which the search must go on."""
