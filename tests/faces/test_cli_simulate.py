@@ -181,3 +181,33 @@ def test_bad_options_are_one_line(palmar, words, said):
 
 def test_no_velocity_is_allowed_on_a_table(palmar):
     assert one(palmar, "2283.5,500", "--velocity", "0,-0")["caught"]
+
+
+def test_a_free_disk_has_impacts_and_a_velocity(palmar, tmp_path):
+    answer = palmar("simulate", "zero_g_example", "--start", "80,150", "--velocity", "0,-10", "--json")
+    assert answer.record["outcome"] == "caged"
+    assert {"impact", "shut", "end"} == {each["kind"] for each in answer.record["events"]}
+    film = tmp_path / "film.html"
+    assert palmar("simulate", "zero_g_example", "--start", "80,150", "--animate", str(film)).status == 0
+    assert "right link strikes" in film.read_text(encoding="utf-8")
+
+
+def test_free_starts_come_from_a_file_with_their_velocities(palmar, tmp_path):
+    starts = tmp_path / "starts.csv"
+    starts.write_text("x_mm,y_mm,vx_mm_s,vy_mm_s\n80,150,0,0\n0,500,0,100\n0,120,0,0\n", encoding="utf-8")
+    answer = palmar("simulate", "zero_g_example", "--starts", str(starts), "--json")
+    assert [each["outcome"] for each in answer.record["results"]] == ["caged", "missed", "caged"]
+
+
+def test_a_film_before_a_wall_shows_it(palmar, tmp_path):
+    case = tmp_path / "wall.toml"
+    case.write_text(
+        "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\nopen_deg = 75\n[object]\nradius_mm = 38\n"
+        "[contact]\nfriction = 0.3\n[support]\nwall_mm = 250\n",
+        encoding="utf-8",
+    )
+    film = tmp_path / "film.html"
+    answer = palmar("simulate", str(case), "--start", "30,212", "--animate", str(film), "--json")
+    assert answer.record["outcome"] == "frictional"
+    assert {"wall", "right_link"} <= {each["body"] for each in answer.record["events"]}
+    assert 'class="wall"' in film.read_text(encoding="utf-8")

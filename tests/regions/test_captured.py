@@ -108,7 +108,7 @@ def test_it_shrinks_where_more_restitutions_are_asked_about() -> None:
 
 
 def test_what_is_not_covered_says_so() -> None:
-    with pytest.raises(NotCoveredError, match="ranges of the restitution only"):
+    with pytest.raises(NotCoveredError, match="only the restitution"):
         build_region(asked(friction="'0..0.4'"))
     polygon = 'shape = "polygon"\nvertices_mm = [[-30, -20], [30, -20], [30, 20], [-30, 20]]\n'
     text = TEXT.format(hand="", friction=0, restitution=1, start="").replace("radius_mm = 38\n", polygon)

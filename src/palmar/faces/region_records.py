@@ -27,6 +27,14 @@ def answers_record(case: Case, given: Answers) -> Record:
         record["pre_opening"] = None if opened is None else pre_opening_record(case, opened)
     if given.asked.ends:
         record["ends"] = None if given.ends is None else ends_record(given.ends, given.angles)
+    if given.velocity is not None:
+        record["velocity"] = {
+            "at_m": given.velocity.at,
+            "about_m_s": given.velocity.about,
+            "radius_m_s": given.velocity.radius,
+            "worst_m_s": given.velocity.worst,
+            "spacing_m_s": given.velocity.spacing,
+        }
     return {**record, "validity": validity_record(given.validity)}
 
 

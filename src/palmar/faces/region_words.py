@@ -14,6 +14,7 @@ from palmar.studies.final_angles import FinalAngles
 from palmar.studies.final_poses import FinalPoses, Interval
 from palmar.studies.pre_opening import PreOpening, time_saved, tip_gap
 from palmar.studies.validity import Validity
+from palmar.studies.velocity_tolerance import VelocityTolerance
 
 RARE, SURE, ROUNDED = 1e-3, 1e-12, 1e-9
 
@@ -51,6 +52,15 @@ def _chance(given: Chance, about: str) -> str:
         return "certain, less than 1 in 1e12 lost"
     odds = 1.0 / given.loss
     return f"1 in {odds:,.0f} lost" if odds < 1e7 and not about else f"{about}1 in {odds:.1e} lost"
+
+
+def velocity_line(given: VelocityTolerance) -> str:
+    """Which velocities a free disk may have at a place."""
+    x, y = (1e3 * each + 0.0 for each in given.about)
+    about = "rest" if given.about == (0.0, 0.0) else f"({x:.4g}, {y:.4g}) mm/s"
+    if given.radius == 0.0:
+        return f"At {_place(given.at)} a disk with the velocity {about} is lost."
+    return f"At {_place(given.at)} a disk is caught with any velocity within {1e3 * given.radius:.3g} mm/s of {about}."
 
 
 def pre_opening_rows(case: Case, given: PreOpening) -> Iterator[Row]:

@@ -92,14 +92,8 @@ class Captured:
     """Asks whether starts of a case are caught at all its restitutions, and counts them."""
 
     def __init__(self, case: Case) -> None:
-        others = [".".join(map(str, each.place)) for each in case.ranges if each.place != RESTITUTION]
-        if others:
-            raise NotCoveredError(
-                f"{', '.join(others)}: the region of a free disk takes ranges of the restitution only"
-            )
+        self.restitutions = restitutions_of(case)
         self.hand, self._law, self._velocity = capture_hand_of(case), impact_law_of(case), case.start.velocity
-        ends = [(each.low, each.high) for each in case.ranges]
-        self.restitutions = np.linspace(*ends[0], RESTITUTIONS) if ends else np.array([case.contact.restitution])
         self.starts = 0
 
     def caught(self, x: Floats, y: Floats) -> NDArray[np.bool_]:
@@ -111,6 +105,15 @@ class Captured:
             held[some] = ends.codes <= Outcome.CAGED.code
             self.starts += len(some)
         return held
+
+
+def restitutions_of(case: Case) -> Floats:
+    """The restitutions (K,) that stand for a case's, rising; raises NotCoveredError for ranges of anything else."""
+    others = [".".join(map(str, each.place)) for each in case.ranges if each.place != RESTITUTION]
+    if others:
+        raise NotCoveredError(f"{', '.join(others)}: for a free disk only the restitution may have a range")
+    ends = [(each.low, each.high) for each in case.ranges]
+    return np.linspace(*ends[0], RESTITUTIONS) if ends else np.array([case.contact.restitution])
 
 
 def _box(case: Case, hand: CaptureHand) -> Box:

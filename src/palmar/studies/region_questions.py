@@ -20,13 +20,14 @@ from palmar.studies.final_poses import FinalPoses
 from palmar.studies.pre_opening import PreOpening
 from palmar.studies.pressure_offset import OffsetEffect
 from palmar.studies.validity import Validity, validity
+from palmar.studies.velocity_tolerance import VelocityTolerance, velocity_tolerance
 
 
 @dataclass(frozen=True)
 class Questions:
     """What is asked: a pose error, a set of errors (m) about the nominal place, the ends, and a pressure offset (m).
 
-    ``at`` (m, hand frame) is the nominal place; None takes the case's start.
+    ``at`` (m, hand frame) is the nominal place; None takes the case's start. ``velocities``: which it may have there.
     """
 
     error: PoseError | None = None
@@ -34,6 +35,7 @@ class Questions:
     ends: bool = False
     offset: float | None = None
     at: Pair | None = None
+    velocities: bool = False
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,7 @@ class Answers:
     pre_opening: PreOpening | None = None
     ends: FinalPoses | None = None
     angles: FinalAngles | None = None
+    velocity: VelocityTolerance | None = None
 
 
 def answers(case: Case, region: Region | None, model: Model, closure: Closure, asked: Questions) -> Answers:
@@ -60,7 +63,8 @@ def answers(case: Case, region: Region | None, model: Model, closure: Closure, a
     opened, unopened = _opened(case, region, model, closure, asked, at)
     offset, refused = _offset(plain, region, asked)
     checked = validity(plain.model_copy(update={"ranges": case.ranges}), region, offset, (*unopened, *refused))
-    return Answers(asked, checked, _capture(plain, region, asked, at), opened, ends, angles)
+    velocity = velocity_tolerance(case, at) if asked.velocities else None
+    return Answers(asked, checked, _capture(plain, region, asked, at), opened, ends, angles, velocity)
 
 
 def _opened(

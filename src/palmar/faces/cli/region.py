@@ -56,6 +56,9 @@ def region(
     at: Annotated[Text, Parameter(help="X_MM,Y_MM: the nominal place, else the case's start.")] = None,
     ends: Annotated[bool, Parameter(negative="", help="Add where it ends and what the fingers then show.")] = False,
     pressure_offset: Annotated[Text, Parameter(help="MM: add what an off-centre pressure costs.")] = None,
+    velocities: Annotated[
+        bool, Parameter(negative="", help="Of a free disk: add which velocities it may have at the nominal place.")
+    ] = False,
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
     ] = Seen.HAND,
@@ -71,7 +74,7 @@ def region(
     name, given = open_case(case)
     if friction is not None:
         given = with_friction(given, friction, "--friction")
-    asked = questions(error, correlation, uncertainty, at, ends, pressure_offset)
+    asked = questions(error, correlation, uncertainty, at, ends, pressure_offset, velocities)
     if compare is not None:
         if asked != Questions() or theta is not None:
             raise InputError("--compare", None, "compares regions alone, without a question or orientations")

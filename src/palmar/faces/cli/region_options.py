@@ -17,8 +17,9 @@ FINEST = 1e-8
 
 
 def questions(
-    error: str | None, correlation: str | None, uncertainty: str | None, at: str | None, ends: bool, offset: str | None
-) -> Questions:
+    error: str | None, correlation: str | None, uncertainty: str | None, at: str | None, ends: bool,
+    offset: str | None, velocities: bool,
+) -> Questions:  # fmt: skip
     """What the options ask for; raises InputError in one line."""
     errors = None
     if uncertainty is not None:
@@ -33,6 +34,7 @@ def questions(
         ends=ends,
         offset=None if offset is None else _offset(offset),
         at=None if at is None else place_given(at),
+        velocities=velocities,
     )
 
 

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from palmar.faces.cli.texts import notes, table
-from palmar.faces.region_words import capture_rows, ends_lines, ends_rows, pre_opening_rows, validity_lines
+from palmar.faces.region_words import (
+    capture_rows,
+    ends_lines,
+    ends_rows,
+    pre_opening_rows,
+    validity_lines,
+    velocity_line,
+)
 from palmar.models.case import Case
 from palmar.studies.region_questions import Answers
 
@@ -19,4 +26,6 @@ def answers_text(case: Case, given: Answers) -> list[str]:
         parts.append("\n".join([table(ends_rows(given.ends)), *ends_lines(given.ends, given.angles)]))
     elif given.asked.ends:
         parts.append("Nothing is caught, so there is no place where it ends.")
+    if given.velocity is not None:
+        parts.append(velocity_line(given.velocity))
     return [*parts, "\n".join(validity_lines(given.validity))]
