@@ -10,6 +10,7 @@ PRINTED = {
     "01_first_answer.py": "97.5 mm off",
     "02_which_finger.py": "at least 60.21 mm",
     "03_feel_the_way.py": "380 mm: 2",
+    "04_zero_gravity.py": "restitution 1.0: 102 mm at rest, or 32 mm/s",
 }
 
 
