@@ -9,7 +9,7 @@ from palmar.mechanics.compiled import compiled, inlined
 
 @inlined
 def length_of(x: float, y: float) -> float:
-    """Length of (x, y); the library's hypot, guarded against overflow, takes half of all time once kernels come from the cache."""
+    """Length of (x, y); the library's hypot takes as long as all else once kernels come from the cache."""
     return sqrt(x * x + y * y)
 
 
