@@ -9,7 +9,7 @@ A root of a side whose foot lies off the link is no contact; the disk may come b
 
 from __future__ import annotations
 
-from math import hypot, inf, sqrt
+from math import inf, sqrt
 
 from palmar.mechanics.angles import cosine_sine
 from palmar.mechanics.compiled import compiled, inlined
@@ -25,6 +25,7 @@ from palmar.mechanics.impact.finger_motion import (
     side_of,
     turned,
 )
+from palmar.mechanics.impact.segments import length_of
 
 TOUCH = 1e-14
 """Gap, in reaches, that counts as a root; what is left is taken out by one step of Newton's method."""
@@ -82,7 +83,7 @@ def end_view(
     """(distance of (qx, qy) from link j's distal end, its rate)."""
     bx, by, bx1, by1 = joint(hand, finger, j + 1, t)
     qx, qy = qx - bx, qy - by
-    apart = hypot(qx, qy)
+    apart = length_of(qx, qy)
     return apart, (qx * (vx - bx1) + qy * (vy - by1)) / apart
 
 
@@ -165,7 +166,7 @@ def _still_contact(
         if qx * side_of(f) * vx + y * vy < 0.0:
             enter, _ = circle_times(qx, y, side_of(f) * vx, vy, off)
             enter = max(enter, 0.0)
-            along = enter == 0.0 and qx * side_of(f) * vx + y * vy > -GRAZE * off * hypot(vx, vy)
+            along = enter == 0.0 and qx * side_of(f) * vx + y * vy > -GRAZE * off * length_of(vx, vy)
             if enter < best and not along:
                 best, body, feature, side = enter, 1 + f * len(hand.lengths), BASE, 1
     return best, body, feature, side
@@ -182,7 +183,7 @@ def next_contact(
     just left without speed.
     """
     best, body, feature, side = _still_contact(hand, x, y, vx, vy, horizon, SKIN * reach)
-    n, small, speed = len(hand.lengths), TOUCH * reach, hypot(vx, vy)
+    n, small, speed = len(hand.lengths), TOUCH * reach, length_of(vx, vy)
     within = hand.lengths.sum() + hand.radius + hand.half_thickness
     for f in range(2):
         finger, turning = fingers[f], moves(hand, fingers[f])
@@ -201,7 +202,7 @@ def next_contact(
                 continue
             until, bound = t + high - finger[0], 0.0
             if turning:
-                far = max(hypot(qx + ux * low, y + vy * low), hypot(qx + ux * high, y + vy * high))
+                far = max(length_of(qx + ux * low, y + vy * low), length_of(qx + ux * high, y + vy * high))
                 bound = side_bound(hand, finger, j, until, far, speed)
             tau, which = _side_contact(hand, finger, j, t, qx, y, ux, vy, low, high, bound, small)
             if tau < best:
