@@ -1,4 +1,4 @@
-"""Regions of two models on top of one another, and what one promises and the other denies."""
+"""Regions of two or three models on top of one another, and what one promises and the other denies."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from palmar.models.case import Case
 from palmar.regions.region import Region
 from palmar.studies.compare import Comparison, Difference
 
+NUMBERS = {2: "two", 3: "three"}
 _LOOKS = ((Role.CENTRE, "-", True), (Role.DIMENSION, (0, (4, 1.5)), False), (Role.CONTACT, (0, (1, 1.2)), False))
 
 
@@ -32,7 +33,7 @@ def compare_picture(case: Case, comparison: Comparison) -> Figure:
     rows = (len(bands) + 1) // 2
     page = sheet(
         [[_extent(case, comparison)]],
-        title="Where the object may start: two models compared",
+        title=f"Where the object may start: {NUMBERS[len(comparison.regions)]} models compared",
         footer=" ".join(map(_sentence, [*broken, *untried])),
         room=Room(Pad(4.0, 8.0, 4.0, 4.0), sides=Pad(bottom=LEGEND_ROW * rows + 2.0)),
     )

@@ -27,7 +27,7 @@ from palmar.models.outcome import Outcome
 MOST_EVENTS = 20_000
 """Losses near the throat of a hand that shuts take hundreds of impacts at e = 1."""
 END_WIDTH = 7
-ROWS_PER_TASK = 4_000
+ROWS_PER_TASK = 250
 
 
 @compiled_to_allocate
