@@ -34,9 +34,25 @@ def test_both_constructions_compared(palmar, tmp_path):
     wider, narrower = record["differences"]
     assert (wider["promised_by"], narrower["promised_by"]) == ("corrected", "published")
     assert wider["area_m2"] - narrower["area_m2"] == pytest.approx(0.02704 - 0.0196, abs=2e-5)
-    assert "the published one denies" in " ".join(path.read_text().split())
+    assert "caught, but not promised" in path.read_text()
     text = palmar("region", NAME, "--compare", "corrected,published").out
-    assert "corrected promises 76.1 cm2 that published does not" in text
+    assert "corrected finds 76.1 cm2 that published does not" in text
+
+
+def test_three_models_side_by_side(palmar, tmp_path):
+    path = tmp_path / "three.svg"
+    record = palmar("region", NAME, "--compare", "exact,corrected,published", "--out", path, "--json").record
+    assert {each["outcome"] for each in record["differences"]} == {"caged"}
+    at_sixty = record["reaches"][4]["distance_m"]
+    reaches = [at_sixty[each] for each in ("exact", "corrected", "published")]
+    assert reaches == pytest.approx([0.1545, 0.1214, 0.0919], abs=2e-4)
+    assert "three models compared" in path.read_text()
+
+
+def test_velocities_at_a_place(palmar):
+    record = palmar("region", NAME, "--velocities", "--at", "0,120", "--json").record
+    assert record["velocity"]["radius_m_s"] == pytest.approx(0.0388, abs=2e-4)
+    assert "within 38.8 mm/s of rest" in palmar("region", NAME, "--velocities", "--at", "0,120").out
 
 
 def test_the_questions_that_a_region_answers(palmar):
@@ -47,10 +63,9 @@ def test_the_questions_that_a_region_answers(palmar):
 
 
 def test_what_is_not_covered_is_one_line(palmar):
-    for words in (("--model", "exact"), ("--model", "corrected", "--ends"), ("--compare", "exact,corrected")):
-        answer = palmar("region", NAME, *words)
-        assert (answer.status, answer.err.count("\n")) == (2, 1)
-        assert "free" in answer.err
+    answer = palmar("region", "testbed_table", "--velocities")
+    assert (answer.status, answer.err.count("\n")) == (2, 1)
+    assert "free" in answer.err
     answer = palmar("region", "testbed_table", "--model", "corrected")
     assert answer.status == 2
     assert "table" in answer.err

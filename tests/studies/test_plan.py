@@ -16,6 +16,8 @@ from palmar.behaviours.policy import Approach, Close, approaches, is_guaranteed,
 from palmar.behaviours.search import Search, moves, width
 from palmar.errors import NotCoveredError
 from palmar.models.case import Case
+from palmar.models.case_file import parse_case
+from palmar.models.guarantee import Guarantee
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.sensors import SensorLayout, Sensors, Stretch
@@ -236,3 +238,21 @@ def test_places_under_an_open_finger_are_left_out_of_plans() -> None:
     beyond = shapely.difference(shapely.box(seen.left, 0.0, seen.right, 0.5), above(seen, 1.0))
     assert shapely.intersection(planner.openings[0].target.region, beyond).area < 1e-9
     assert beyond.area > 0.01
+
+
+def test_a_heavy_free_disk_is_planned_for_and_tried_in_free_space() -> None:
+    """Section 3.4.3: the same plans where touch does not move the object."""
+    text = (
+        "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\n[object]\nradius_mm = 38\nmass_kg = 50\n"
+        "[contact]\nfriction = 0\nrestitution = 0.5\n[support]\nkind = 'free'\n[sensors]\nlayout = 'distributed'\n"
+    )
+    case = parse_case(text, "heavy")
+    found = plan(case, Point(0.0, 0.0).buffer(0.2), (0.0, 0.6), 2)
+    assert is_guaranteed(found.found.policy)
+    assert found.guarantee is Guarantee.SAMPLED
+    starts = drawn_starts(Point(0.0, 0.6).buffer(0.2), 4000, 1)
+    done = try_plan(case, found.found.policy, found.stretches, starts, Errors())
+    assert (done.caught, done.lost, done.surprised) == (done.starts, 0, 0)
+    moving = case.model_copy(update={"start": case.start.model_copy(update={"velocity": (0.0, 0.1)})})
+    with pytest.raises(NotCoveredError, match="heavy objects at rest"):
+        plan(moving, Point(0.0, 0.0).buffer(0.2), (0.0, 0.6), 2)

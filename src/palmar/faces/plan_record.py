@@ -19,6 +19,7 @@ def plan_record(plan: Plan, most: int, trial: Trial | None) -> Record:
     sure = is_guaranteed(policy)
     record: Record = {
         "guaranteed": sure,
+        "guarantee": plan.guarantee.value,
         "rule": plan.rule.value,
         "approaches_max": approaches(policy) if sure else None,
         "policy": policy_record(policy, plan),

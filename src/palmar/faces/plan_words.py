@@ -7,8 +7,11 @@ from math import degrees
 
 from palmar.behaviours.policy import Approach, Close, Policy, approaches, closings, is_guaranteed
 from palmar.faces.plan_record import sensor_name, why_not
+from palmar.models.guarantee import Guarantee
 from palmar.studies.plan import Plan, Rule
 from palmar.studies.plan_trial import Trial
+
+SAMPLED = " The regions closed in are simulated at points, not proven; the object is too heavy to be moved by touch."
 
 
 def plan_text(plan: Plan, most: int, trial: Trial | None) -> str:
@@ -45,7 +48,7 @@ def _assumed(plan: Plan) -> str:
     moved, off = (f"{1e3 * each:.4g} mm" for each in (plan.doubt.displacement, plan.doubt.pose_error))
     return (
         f"Assumed: the object moves at most {moved} before it is felt, the hand is within {off} of where it should be, "
-        "and no bit is missed or false."
+        f"and no bit is missed or false.{SAMPLED if plan.guarantee is Guarantee.SAMPLED else ''}"
     )
 
 

@@ -22,10 +22,12 @@ from palmar.geometry.planar_set import areal
 from palmar.mechanics.pushing.closing_case import straight_motion
 from palmar.models.case import Case
 from palmar.models.closure import Closure
+from palmar.models.guarantee import Guarantee
 from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.sensors import Stretch
 from palmar.models.support import SupportKind
+from palmar.regions.captured import captured_region
 from palmar.regions.exact import exact_region
 from palmar.regions.hand_sweep import may_be_touched
 from palmar.regions.profile import above, not_below, profile
@@ -60,6 +62,8 @@ class Plan:
     doubt: Doubt
     closure: Closure
     rule: Rule = Rule.FEWEST
+    guarantee: Guarantee = Guarantee.CLOSED_FORM
+    """Of the regions that the hand closes in."""
 
 
 def plan(
@@ -91,7 +95,9 @@ def plan(
         found = closings_only(planner, belief)
     else:
         found = fewest_approaches(planner, belief, most)
-    return Plan(found, stretches, planner.doubt, closure, rule)
+    free = case.support.kind is SupportKind.FREE
+    guarantee = Guarantee.SAMPLED if free else Guarantee.CLOSED_FORM
+    return Plan(found, stretches, planner.doubt, closure, rule, guarantee)
 
 
 def planner_of(
@@ -100,8 +106,10 @@ def planner_of(
     """What the search needs of a case: for every opening the profile and the region; and the sensors."""
     if not isinstance(case.object, Disk) or case.support.pressure_centre != (0.0, 0.0):
         raise NotCoveredError("plans are for disks pressed about their centre: the sensors' regions need a radius")
-    if case.support.kind is not SupportKind.TABLE or case.ranges:
-        raise NotCoveredError("plans are for objects on a table, and plain numbers")
+    if case.ranges:
+        raise NotCoveredError("plans take plain numbers, not ranges")
+    if case.support.kind is SupportKind.FREE and case.start.velocity != (0.0, 0.0):
+        raise NotCoveredError("start.velocity_mm_s: plans in free space are for heavy objects at rest")
     stretches = case.sensors.stretches(case.hand)
     low, high = case.hand.base_limits
     angles = dict.fromkeys((case.hand.open, *(each for each in OTHER_OPENINGS if low <= each < high)))
@@ -113,11 +121,11 @@ def opening_of(case: Case, stretches: tuple[Stretch, ...], angle: float, closure
     """Profile and closing region of a disk's case with the fingers at a base angle (rad)."""
     assert isinstance(case.object, Disk)
     opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": float(angle)})})
-    region, radius, far = (
-        exact_region(opened, closure, COARSE * case.hand.finger_length),
-        case.object.radius,
-        FAR * case.hand.finger_length,
-    )
+    radius, far = case.object.radius, FAR * case.hand.finger_length
+    if case.support.kind is SupportKind.FREE:
+        region = captured_region(opened, closure, None)
+    else:
+        region = exact_region(opened, closure, COARSE * case.hand.finger_length)
     seen = profile(case.hand, radius, stretches, angle)
     assert region.outer is not None
     return Opening(

@@ -1,8 +1,8 @@
 """A plan put to the test: objects drawn from the uncertainty, every branch followed, every close carried to its end.
 
 It shares no geometry with the planner: touches come from sphere tracing (``worlds.planar.feeling``), grasps from the
-stepping kernel. The object stays while it is touched, but for the displacement. On the way up to where it closes the hand
-must touch nothing.
+stepping kernel, in free space from the capture kernel. The object stays while it is touched, but for the displacement. On
+the way up to where it closes the hand must touch nothing.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
 from palmar.models.sensors import Stretch
+from palmar.models.support import SupportKind
 from palmar.worlds.planar.feeling import NOTHING, go_until_touched
+from palmar.worlds.planar.free import FreeWorld, free_world
 from palmar.worlds.planar.stepping import SteppingWorld, stepping_world
 
 Floats = NDArray[np.float64]
@@ -121,7 +123,7 @@ class Run:
     given_up: int = 0
     most: int = 0
     bad: list[int] = field(default_factory=list)
-    worlds: dict[float, SteppingWorld] = field(default_factory=dict)
+    worlds: dict[float, SteppingWorld | FreeWorld] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.of_leaves = np.zeros(sum(isinstance(each, Close) for each in leaves(self.policy)), np.int64)
@@ -189,10 +191,11 @@ class Run:
         assert isinstance(self.case.object, Disk)
         hand = self.case.hand.model_copy(update={"open": opening})
         if opening not in self.worlds:
-            self.worlds[opening] = stepping_world(self.case.model_copy(update={"hand": hand}))
+            free = self.case.support.kind is SupportKind.FREE
+            self.worlds[opening] = (free_world if free else stepping_world)(self.case.model_copy(update={"hand": hand}))
         if len(seen) == 0:
             return np.zeros(0, np.int8)
-        codes = self.worlds[opening].ends(np.column_stack([seen, np.zeros(len(seen))])).codes.copy()
+        codes = self.worlds[opening].ends(np.column_stack([seen, np.zeros((len(seen), 3))])).codes.copy()
         below = float(np.ptp(seen[:, 1])) + 4.0 * self.case.hand.finger_length
         came = go_until_touched(hand, (), opening, self.case.object.radius, seen + np.array([0.0, below]), below)
         codes[came.sensors != NOTHING] = Outcome.INVALID.code
