@@ -11,7 +11,19 @@ from cyclopts import App, Parameter
 
 from palmar.behaviours.descriptions import DESCRIPTIONS
 from palmar.errors import InputError
-from palmar.faces.cli.behaviour_options import Layout, Massive, Named, Number, named, with_behaviour, within
+from palmar.faces.cli.behaviour_options import (
+    Layout,
+    Massive,
+    Named,
+    Number,
+    Track,
+    Velocity,
+    named,
+    tracker_of,
+    with_behaviour,
+    with_velocity,
+    within,
+)
 from palmar.faces.cli.behaviour_region import region
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.texts import table, titled
@@ -64,13 +76,15 @@ def run_one(
     *,
     behaviour: Named = None,
     start: Annotated[Text, Parameter(help="X_MM,Y_MM[,THETA_DEG]; else the case's start.")] = None,
+    velocity: Velocity = None,
     sensors: Layout = None,
+    track: Track = None,
     massive: Massive = None,
     tick: Annotated[Number, Parameter(help="Time between two observations in ms.")] = "5",
     longest: Annotated[Number, Parameter(help="Cut it off after so many seconds.")] = "600",
     missed: Annotated[Number, Parameter(help="Share of touches that a sensor never sees.")] = "0",
     false_rate: Annotated[Number, Parameter(help="How often a second a sensor fires without a touch.")] = "0",
-    seed: Annotated[int, Parameter(help="Of the sensors' faults.")] = 0,
+    seed: Annotated[int, Parameter(help="Of the sensors' faults and the tracker's errors.")] = 0,
     out: Annotated[
         Path | None, Parameter(help="Also keep the run: json, csv; or draw it: svg, pdf, png; or film it: gif.")
     ] = None,
@@ -85,7 +99,7 @@ def run_one(
     if out is not None:
         known_ending(out)
     name, given = open_case(case)
-    given = with_behaviour(given, behaviour, sensors)
+    given = with_velocity(with_behaviour(given, behaviour, sensors), velocity)
     place = _place(given, start)
     seconds = 1e-3 * within("--tick", tick, 1.0, 1000.0)
     if not 0 <= seed < 2**32:
@@ -97,7 +111,8 @@ def run_one(
     if given.behaviour.name is BehaviourName.FOLLOW_POLICY:
         progress("planning")
     most = within("--longest", longest, 0.0, 3600.0)
-    done = run_behaviour(given, place, Circumstances(seconds, faults, massive, most))
+    tracker = tracker_of(track, seed)
+    done = run_behaviour(given, place, Circumstances(seconds, faults, massive, most, tracker))
     if out is not None:
         write_trace(out, done)
     _tell(name, done, out, json)
