@@ -82,6 +82,20 @@ def test_closing_on_a_free_disk_ends_as_simulate_says(palmar):
 
 
 @pytest.mark.parametrize("ending", ["json", "csv"])
+def test_a_run_with_a_tracker_is_kept_with_what_it_told(palmar, tmp_path, ending):
+    path = tmp_path / f"run.{ending}"
+    words = ("zero_g_example", "--behaviour", "match_velocity", "--start", "50,140", "--velocity", "30,-10")
+    told = palmar("behaviours", "run", *words, "--track", "40,2,1", "--seed", 3, "--tick", 50, "--out", path, "--json")
+    assert told.record["outcome"] == "caged"
+    rows = read_trace(path).trace.rows
+    x, y, vx, vy = rows[10].seen.track
+    assert (x, y) == pytest.approx((0.05 + 0.03 * 0.46, 0.14 - 0.01 * 0.46), abs=0.008)
+    assert (vx, vy) == pytest.approx((0.03, -0.01), abs=0.004)
+    assert (vx, vy) != (0.03, -0.01)
+    assert palmar("behaviours", "replay", path, "--json").record == told.record
+
+
+@pytest.mark.parametrize("ending", ["json", "csv"])
 def test_a_trace_is_the_same_once_read_again(palmar, scoop, tmp_path, ending):
     first, second = tmp_path / f"first.{ending}", tmp_path / "second.json"
     told = palmar("behaviours", "run", scoop, "--tick", 20, "--out", first, "--json").record

@@ -76,7 +76,7 @@ def test_closing_ends_as_the_kernel_does_at_one_go(name: str, e: float) -> None:
         assert world.pose[:2] == pytest.approx((x, y), abs=1e-12 * 1.3 ** end[6])
         moves = (*world.carriage.track[2:], world.carriage.at.state[SPIN])
         assert moves == pytest.approx(end[2:5], abs=1e-11 * 1.3 ** end[6])
-        assert world.pose[2] == pytest.approx(theta, abs=2e-3)
+        assert world.pose[2] == pytest.approx(theta, abs=1e-3)
 
 
 def test_what_is_shut_in_and_squeezed_holds_the_fingers_up() -> None:

@@ -138,6 +138,13 @@ def _box(case: Case) -> Box:
     """Where a caught object may have started: within reach of the hand anywhere on its way."""
     hand, does, size = case.hand, case.behaviour, object_reach(case.object)
     way = does.advance if does.name in ADVANCING else 0.0
+    if does.name is BehaviourName.MATCH_VELOCITY:
+        # From anywhere that the arm can bring the hand to, and from where the disk flies there.
+        width = 2.0 * (
+            hand.half_palm + hand.finger_length + size + does.reach + abs(case.start.velocity[0]) * does.patience
+        )
+        height = hand.finger_length + 2.0 * size + does.reach + max(-case.start.velocity[1], 0.0) * does.patience
+        return Box(width, height, COARSE, False)
     time, (vx, vy) = _duration(case), case.start.velocity
     width = 2.0 * (hand.half_palm + hand.finger_length + size + abs(way * cos(does.direction)) + abs(vx) * time)
     height = hand.finger_length + 2.0 * size + max(way * sin(does.direction), 0.0) + max(-vy, 0.0) * time

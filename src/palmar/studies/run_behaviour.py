@@ -53,7 +53,7 @@ class Circumstances:
     """None: as the behaviour presumes, which is only so for a plan."""
     longest: float = LONGEST
     tracker: Tracker | None = None
-    """What tracks a free disk; None: nothing does."""
+    """What tracks a free disk; None: for a behaviour that needs it one without errors, as late as it presumes."""
 
 
 def run_behaviour(
@@ -77,6 +77,8 @@ def run_behaviour(
 def world_of(case: Case, start: Place, circumstances: Circumstances, massive: bool) -> World:
     """The planar world of a case: of an object on a table, or of a free disk."""
     tick, sensing, tracker = circumstances.tick, circumstances.sensing, circumstances.tracker
+    if tracker is None and case.behaviour.name is BehaviourName.MATCH_VELOCITY:
+        tracker = Tracker(case.behaviour.delay)
     if case.support.kind is SupportKind.FREE:
         if massive:
             raise NotCoveredError("massive: an object in free space does not stay where it is touched")

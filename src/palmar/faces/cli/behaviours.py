@@ -62,7 +62,7 @@ def describe(
     lines += [f"{k + 1}. {step}" for k, step in enumerate(known.steps)]
     lines += ["", f"Needs {known.needs}. Source: section {known.section}."]
     if parameters:
-        lines += ["", "In a case file, [behaviour]:", table([(f"{key} = {value:g}",) for key, value in parameters])]
+        lines += ["", "In a case file, [behaviour]:", table([(_line(*each),) for each in parameters])]
     record = {
         "name": chosen.value, "summary": known.summary, "steps": list(known.steps), "needs": known.needs,
         "section": known.section, "parameters": dict(parameters),
@@ -164,11 +164,15 @@ def _short(text: str) -> str:
     return re.sub(r"\d+\.\d{2,}", lambda found: f"{float(found[0]):.1f}", text.replace("_", " "))
 
 
-def _parameter(name: str) -> tuple[str, float]:
-    """A parameter's key in a case file and its default in the file's unit."""
+def _parameter(name: str) -> tuple[str, float | None]:
+    """A parameter's key in a case file and its default in the file's unit; None if it is absent."""
     field = Behaviour.model_fields[name]
-    unit = unit_of(field)
-    return file_key(name, field), field.default if unit is None else unit.from_si(field.default)
+    unit, given = unit_of(field), field.default
+    return file_key(name, field), given if unit is None or given is None else unit.from_si(given)
+
+
+def _line(key: str, value: float | None) -> str:
+    return f"{key} absent" if value is None else f"{key} = {value:g}"
 
 
 def _place(case: Case, start: str | None) -> tuple[float, float, float]:

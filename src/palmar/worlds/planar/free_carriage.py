@@ -119,13 +119,13 @@ class FreeCarriage:
         self.anew = self.anew or velocity != self.velocity
         s[VX], s[VY] = s[VX] + self.velocity[0] - velocity[0], s[VY] + self.velocity[1] - velocity[1]
         self.velocity = velocity
-        begun = float(s[T])
+        begun, spin = float(s[T]), float(s[SPIN])
         self._take(self._moving(angles, rates, begun, span, rests=ended))
         result = carry_until(self.motion, self.law, self.at, self.restitution, begun + span, MOST_EVENTS, self.anew)
         self.anew = False
         spent = float(s[T]) - begun
         self._slide(spent)
-        self._turn(begun)
+        self._turn(begun, spin)
         squeezed = result == TOO_MANY and is_enclosed(self.motion, self.at)
         self.lost = result == TOO_MANY and not squeezed
         self.pressed = result == PRESSED or squeezed
@@ -194,15 +194,12 @@ class FreeCarriage:
     def _slide(self, seconds: float) -> None:
         self.arm = self.arm[0] + self.velocity[0] * seconds, self.arm[1] + self.velocity[1] * seconds
 
-    def _turn(self, begun: float) -> None:
-        """Add the turn since ``begun`` (s): the spin is constant in flight, about linear while the disk rolls or slides."""
+    def _turn(self, begun: float, spin: float) -> None:
+        """Add the turn since ``begun`` (s), spinning at ``spin`` then: constant in flight, about linear in contact."""
         s = self.at.state
         log = self.at.log[: int(s[LOGGED])]
-        if len(log) == 0:
-            self.theta += float(s[SPIN]) * (float(s[T]) - begun)
-            return
         times = np.array([begun, *log[:, 0], s[T]])
-        before, after = np.array([*log[:, 10], s[SPIN]]), np.array([log[0, 10], *log[:, 11]])
+        before, after = np.array([*log[:, 10], s[SPIN]]), np.array([spin, *log[:, 11]])
         self.theta += float((0.5 * (before + after) * np.diff(times)).sum())
 
     def _touch(self, body: int, feature: int, t: float, x: float, y: float) -> list[Touch]:
