@@ -1,7 +1,7 @@
 """Matching velocities (section 4.3.1): the arm flies along with a tracked disk, brings it to its place, and closes on it.
 
 What the tracker tells is carried forward over its age. With r from the place to the disk, v the disk's velocity and a the
-arm's acceleration limit, the arm wants v + w r / |r|, w = min(sqrt(a |r|), |r| / 2 dt): half of a brakes, the other half
+arm's acceleration limit, the arm wants v + w r / |r|, w = min(sqrt(a |r|), |r| / dt): half of a brakes, the other half
 is left for the turns of r, and no step goes past the place. What it may want is cut off at its speed limit, and how far it
 changes from one step dt to the next at a dt. With the disk at its place and the velocities equal it closes, keeping that
 velocity until the fingers are shut about the disk: what impacts do to the disk is not followed. Then it brakes.
@@ -19,8 +19,8 @@ from math import hypot, inf, sqrt
 from palmar.behaviours.reflex import INSTANT, Drive
 from palmar.models.motion import Command, Observation
 
-NEAR = 1e-4
-"""Distance (m) from the place that is at it."""
+NEAR = 1e-3
+"""Distance (m) from the place that is at it; a tracker that is wrong about the velocity by q keeps it at q dt."""
 SAME = 1e-9
 """Part of the speed limit that is no difference of velocities."""
 Vector = tuple[float, float]
@@ -129,7 +129,7 @@ class MatchVelocity:
         if far <= NEAR:
             aim = wanted
         else:
-            quick = min(sqrt(limits.acceleration * far), 0.5 * far / dt)
+            quick = min(sqrt(limits.acceleration * far), far / dt)
             aim = _within(wanted, (quick * off[0] / far, quick * off[1] / far), limits.speed)
         dx, dy = aim[0] - velocity[0], aim[1] - velocity[1]
         change, most = hypot(dx, dy), limits.acceleration * dt
