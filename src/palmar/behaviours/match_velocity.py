@@ -1,10 +1,11 @@
 """Matching velocities (section 4.3.1): the arm flies along with a tracked disk, brings it to its place, and closes on it.
 
 What the tracker tells is carried forward over its age. With r from the place to the disk, v the disk's velocity and a the
-arm's acceleration limit, the arm wants v + w r / |r|, w = min(sqrt(a |r|), |r| / dt): half of a brakes, the other half
+arm's acceleration limit, the arm wants v + w r / |r|, w = min(sqrt(a |r|), |r| / (2 dt)): half of a brakes, the other half
 is left for the turns of r, and no step goes past the place. What it may want is cut off at its speed limit, and how far it
-changes from one step dt to the next at a dt. With the disk at its place and the velocities equal it closes, keeping that
-velocity until the fingers are shut about the disk: what impacts do to the disk is not followed. Then it brakes.
+changes from one step dt to the next at a dt. With the disk at its place, and its velocity no more than two steps away, it
+closes, taking and keeping that velocity until the fingers are shut about the disk: what impacts do to the disk is not
+followed. Then it brakes.
 
 Before it moves it runs through this once, as if the tracker were right and nothing were touched, and does not begin what
 the limits of its speed, its reach or its patience would not let it end.
@@ -19,10 +20,10 @@ from math import hypot, inf, sqrt
 from palmar.behaviours.reflex import INSTANT, Drive
 from palmar.models.motion import Command, Observation
 
-NEAR = 1e-3
-"""Distance (m) from the place that is at it; a tracker that is wrong about the velocity by q keeps it at q dt."""
-SAME = 1e-9
-"""Part of the speed limit that is no difference of velocities."""
+NEAR = 2e-3
+"""Distance (m) from the place that is at it; a tracker that is wrong about the velocity by q keeps it at 2 q dt."""
+STEPS = 2.0
+"""So many steps' change of velocity may be left when the fingers begin to close."""
 Vector = tuple[float, float]
 
 
@@ -51,13 +52,16 @@ class Phase(Enum):
 
 @dataclass(frozen=True)
 class Matching:
-    """When it began and last saw (s), the velocity that the arm then took (m/s), the phase, and since when it closes."""
+    """When it began and last saw (s), the velocity that the arm then took (m/s), the phase; since when (s) it closes, and
+    at which velocity.
+    """
 
     began: float
     last: float
     velocity: Vector = (0.0, 0.0)
     phase: Phase = Phase.LOOKS
     closing_since: float = inf
+    kept: Vector = (0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -100,21 +104,20 @@ class MatchVelocity:
         taken, there = self._next(off, velocity, state.velocity, dt)
         if self._leaves(place, taken, velocity, there):
             return state, self.drive.end("the reach is used up")
-        state = replace(state, velocity=taken)
         if there:
-            state = replace(state, phase=Phase.CLOSES, closing_since=seen.time)
-            return self._close(state, seen, 0.0)
-        return state, self.drive.rest("follow the object", taken)
+            state = replace(state, phase=Phase.CLOSES, closing_since=seen.time, kept=velocity)
+            return self._close(state, seen, dt)
+        return replace(state, velocity=taken), self.drive.rest("follow the object", taken)
 
     def _close(self, state: Matching, seen: Observation, dt: float) -> tuple[Matching, Command]:
-        """Keep the velocity until the hand is shut, or held up, then brake; end when both fingers are held up at rest."""
+        """Keep the velocity until the hand is shut, or held up, then brake; end at rest with both fingers held up."""
         left = state.closing_since + self.hold - seen.time
+        most = self.arm.acceleration * dt
         if left > INSTANT and not all(seen.stalled):
+            state = replace(state, velocity=_towards(state.kept, state.velocity, most))
             return state, self.drive.close("at its place: close on the move", state.velocity, left)
-        speed = hypot(*state.velocity)
-        if speed > 0.0:
-            share = max(1.0 - self.arm.acceleration * dt / speed, 0.0)
-            state = replace(state, velocity=(share * state.velocity[0], share * state.velocity[1]))
+        if state.velocity != (0.0, 0.0):
+            state = replace(state, velocity=_towards((0.0, 0.0), state.velocity, most))
             return state, self.drive.close("shut: brake", state.velocity)
         return state, self.drive.close_to_the_end(seen, "shut: close on")
 
@@ -124,19 +127,13 @@ class MatchVelocity:
         return x + vx * self.age - arm[0] - self.place[0], y + vy * self.age - arm[1] - self.place[1]
 
     def _next(self, off: Vector, wanted: Vector, velocity: Vector, dt: float) -> tuple[Vector, bool]:
-        """The velocity that the arm takes now, and whether the disk is at its place and moves with the hand."""
+        """The velocity that the arm takes now, and whether the disk is at its place, nearly at rest in the hand."""
         limits, far = self.arm, hypot(*off)
-        if far <= NEAR:
-            aim = wanted
-        else:
-            quick = min(sqrt(limits.acceleration * far), far / dt)
-            aim = _within(wanted, (quick * off[0] / far, quick * off[1] / far), limits.speed)
-        dx, dy = aim[0] - velocity[0], aim[1] - velocity[1]
-        change, most = hypot(dx, dy), limits.acceleration * dt
-        if change > most:
-            aim = velocity[0] + dx * most / change, velocity[1] + dy * most / change
-        same = hypot(aim[0] - wanted[0], aim[1] - wanted[1]) <= SAME * limits.speed
-        return aim, far <= NEAR and same
+        quick = min(sqrt(limits.acceleration * far), 0.5 * far / dt)
+        aim = _within(wanted, (quick * off[0] / far, quick * off[1] / far), limits.speed) if far > 0.0 else wanted
+        most = limits.acceleration * dt
+        near = far <= NEAR and hypot(wanted[0] - velocity[0], wanted[1] - velocity[1]) <= STEPS * most
+        return _towards(aim, velocity, most), near
 
     def _leaves(self, arm: Vector, taken: Vector, disk: Vector, closes: bool) -> bool:
         """Whether the arm could no longer stop within its reach, after closing if it closes now."""
@@ -160,6 +157,13 @@ class MatchVelocity:
             off = off[0] + (disk[0] - velocity[0]) * dt, off[1] + (disk[1] - velocity[1]) * dt
             time += dt
         return None
+
+
+def _towards(aim: Vector, velocity: Vector, most: float) -> Vector:
+    """``aim``, or the velocity changed by ``most`` (m/s) in its direction."""
+    dx, dy = aim[0] - velocity[0], aim[1] - velocity[1]
+    change = hypot(dx, dy)
+    return aim if change <= most else (velocity[0] + dx * most / change, velocity[1] + dy * most / change)
 
 
 def _within(disk: Vector, more: Vector, most: float) -> Vector:
