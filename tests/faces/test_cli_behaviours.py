@@ -73,6 +73,30 @@ def test_closing_ends_as_simulate_says(palmar):
     assert here["seconds"] == pytest.approx(there["events"][-1]["t_s"], abs=0.051)
 
 
+def test_closing_on_a_free_disk_ends_as_simulate_says(palmar):
+    words = ("zero_g_example", "--start", "40,140", "--velocity", "-5,4")
+    here = palmar("behaviours", "run", *words, "--json").record
+    there = palmar("simulate", *words, "--json").record
+    assert here["outcome"] == there["outcome"]
+    assert (here["ended"], here["caught"]) == ("stopped", True)
+
+
+@pytest.mark.parametrize("ending", ["json", "csv"])
+def test_a_run_with_a_tracker_is_kept_with_what_it_told(palmar, tmp_path, ending):
+    path = tmp_path / f"run.{ending}"
+    words = ("zero_g_example", "--behaviour", "match_velocity", "--start", "50,140", "--velocity", "30,-10")
+    told = palmar("behaviours", "run", *words, "--track", "40,2,1", "--seed", 3, "--tick", 50, "--out", path, "--json")
+    assert told.record["outcome"] == "caged"
+    rows = read_trace(path).trace.rows
+    x, y, vx, vy = rows[10].seen.track
+    assert (x, y) == pytest.approx((0.05 + 0.03 * 0.46, 0.14 - 0.01 * 0.46), abs=0.008)
+    assert (vx, vy) == pytest.approx((0.03, -0.01), abs=0.004)
+    assert (vx, vy) != (0.03, -0.01)
+    again = palmar("behaviours", "replay", path, "--json").record
+    assert again["events"] == told.record["events"]
+    assert again["final"]["x_m"] == pytest.approx(told.record["final"]["x_m"], rel=1e-12)
+
+
 @pytest.mark.parametrize("ending", ["json", "csv"])
 def test_a_trace_is_the_same_once_read_again(palmar, scoop, tmp_path, ending):
     first, second = tmp_path / f"first.{ending}", tmp_path / "second.json"
@@ -117,7 +141,11 @@ def test_check_tells_by_the_exit_status(palmar, scoop):
     (("run", "testbed_table", "--missed", "2"), "--missed"),
     (("run", "testbed_table", "--seed", "-1"), "--seed"),
     (("run", "testbed_table", "--out", "run.doc"), "must end in one of"),
-    (("run", "testbed_free"), "support.kind"),
+    (("run", "testbed_table", "--velocity", "10,0"), "starts at rest"),
+    (("run", "testbed_table", "--track", "0,0,0"), "only free disks are tracked"),
+    (("run", "testbed_free", "--velocity", "10"), "VX,VY"),
+    (("run", "testbed_free", "--track", "10,-1,0"), "must not be negative"),
+    (("run", "testbed_free", "--massive"), "does not stay where it is touched"),
     (("replay", "nothing.json"), "cannot be read"),
 ])  # fmt: skip
 def test_bad_input_is_one_line(palmar, words, said):

@@ -21,6 +21,7 @@ from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.outcome import Outcome
 from palmar.models.sensors import SensorLayout, Sensors
+from palmar.models.support import Support, SupportKind
 from palmar.regions.moving import ArmMotion, caught
 from palmar.studies.run_behaviour import Circumstances, behaviour_of, run_behaviour
 from palmar.worlds.planar.bits import Sensing
@@ -146,6 +147,12 @@ def test_plans_for_polygons_are_refused() -> None:
     square = ConvexPolygon(shape="polygon", vertices=((0.0, 0.0), (0.1, 0.0), (0.0, 0.1)))
     case = case_of(BehaviourName.FOLLOW_POLICY).model_copy(update={"object": square})
     with pytest.raises(NotCoveredError, match="disks"):
+        run_behaviour(case, (0.0, 0.5, 0.0))
+
+
+def test_plans_in_free_space_are_refused() -> None:
+    case = case_of(BehaviourName.FOLLOW_POLICY).model_copy(update={"support": Support(kind=SupportKind.FREE)})
+    with pytest.raises(NotCoveredError, match="on a table"):
         run_behaviour(case, (0.0, 0.5, 0.0))
 
 

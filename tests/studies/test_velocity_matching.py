@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from palmar.errors import InputError, NotCoveredError
+from palmar.mechanics.impact.capture_case import capture_hand_of
 from palmar.models.case_file import parse_case
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
@@ -24,6 +25,8 @@ def test_the_closing_time_is_that_of_the_verdict():
     assert pytest.approx(verdict_angle(0.06, 0.244, 0.038) / CASE.hand.finger_rate, rel=1e-12) == TIME
     fast = CASE.model_copy(update={"hand": CASE.hand.model_copy(update={"finger_rate": 2.0 * CASE.hand.finger_rate})})
     assert closing_time(fast) == pytest.approx(0.5 * TIME, rel=1e-12)
+    thick = CASE.model_copy(update={"hand": CASE.hand.model_copy(update={"finger_thickness": 0.025})})
+    assert closing_time(thick) == pytest.approx(capture_hand_of(thick).closures[:, 0].min(), rel=1e-9)
     half = CASE.model_copy(update={"hand": CASE.hand.model_copy(update={"open": 0.3})})
     assert closing_time(half) == pytest.approx(TIME - 0.3 / CASE.hand.finger_rate, rel=1e-12)
 

@@ -156,7 +156,7 @@ def test_a_massive_object_stops_the_arm_and_lets_it_go() -> None:
 def test_an_object_that_is_held_goes_with_the_arm() -> None:
     world, trace = closed(CASES["line disk"], (0.02, 0.1, 0.0), 0.02)
     assert trace.outcome is Outcome.FRICTIONAL
-    held, rates = np.array(world.pose), world.told
+    held, rates = np.array(world.pose), world.fingers.told
     world.act(Command(*rates, (0.1, -0.2)), 0.5)
     world.act(Command(REST, REST, (0.1, 0.0)), 0.5)
     assert np.array(world.pose) - held == pytest.approx((0.1, -0.1, 0.0), abs=1e-12)

@@ -6,6 +6,7 @@ from typing import Any
 
 from palmar.behaviours.close import Closing
 from palmar.behaviours.jointed import JointedReflex
+from palmar.behaviours.match_velocity import ArmLimits, MatchVelocity
 from palmar.behaviours.move_and_grab import MoveAndGrab
 from palmar.behaviours.move_while_closing import MoveWhileClosing
 from palmar.behaviours.palm_reflex import PalmReflex
@@ -15,6 +16,7 @@ from palmar.behaviours.sensor_places import SensorPlaces, places_of
 from palmar.errors import NotCoveredError
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
+from palmar.models.closure import Closure
 
 
 def drive_of(case: Case) -> Drive:
@@ -40,6 +42,8 @@ def reflex_of(case: Case) -> Reflex[Any]:
         return MoveAndGrab(drive, move)
     if name is BehaviourName.MOVE_WHILE_CLOSING:
         return MoveWhileClosing(drive, move, given.first)
+    if name is BehaviourName.MATCH_VELOCITY:
+        return _matching(case, drive)
     places = case_places(case)
     if name is BehaviourName.JOINTED:
         return _jointed(drive, places, given.preshape)
@@ -50,6 +54,24 @@ def reflex_of(case: Case) -> Reflex[Any]:
     if name is BehaviourName.PALM_REFLEX:
         return PalmReflex(drive, places, move if given.advance > 0.0 else None, given.patience, given.delay)
     raise NotCoveredError(f'behaviour "{name.value}" needs a plan')
+
+
+def _matching(case: Case, drive: Drive) -> MatchVelocity:
+    """Closing counts until the hand is shut about the disk for good; the place is for a disk that then rests in the hand."""
+    from palmar.mechanics.impact.capture_case import capture_hand_of
+    from palmar.regions.captured import captured_region
+
+    given, hand = case.behaviour, capture_hand_of(case)
+    if len(hand.closures) == 0:
+        raise NotCoveredError('behaviour "match_velocity": this hand never shuts about the disk')
+    arm, place = ArmLimits(given.speed, given.acceleration, given.reach), given.place
+    if place is None:
+        still = case.model_copy(update={"start": case.start.model_copy(update={"velocity": (0.0, 0.0)})})
+        circle = captured_region(still, Closure.FRICTIONAL, None).allowed_error
+        if circle is None:
+            raise NotCoveredError('behaviour "match_velocity": this hand catches no disk at rest, state place_mm')
+        place = circle.centre
+    return MatchVelocity(drive, arm, place, float(hand.closures[:, 0].min()), given.delay, given.patience)
 
 
 def _jointed(drive: Drive, places: SensorPlaces, preshape: float) -> JointedReflex:

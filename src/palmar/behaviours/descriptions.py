@@ -55,6 +55,14 @@ DESCRIPTIONS: dict[BehaviourName, Description] = {
          "End when both fingers are held up."),
         ("preshape",), "fingers of two links with sensors", "5.2.3",
     ),
+    BehaviourName.MATCH_VELOCITY: Description(
+        "Fly along with a tracked free disk, bring it to its place in the hand, and close on it.",
+        ("Look: end, and say why, if speed, reach or patience do not allow what follows.",
+         "Follow until the disk is at the place and the velocities are equal.",
+         "Close at that velocity until the hand is shut about the disk, then brake, closing on."),
+        ("speed", "acceleration", "reach", "place", "delay", "patience"),
+        "an arm and a tracker (--track; else a perfect one, as late as delay says); a free disk", "4.3.1",
+    ),
     BehaviourName.FOLLOW_POLICY: Description(
         "Carry out the plan that palmar plan finds for a disk of uncertainty about the case's start.",
         ("For each move: straight back, sideways, fingers to the opening, forward.",

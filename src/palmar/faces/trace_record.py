@@ -51,6 +51,7 @@ def whole_record(done: BehaviourRun) -> dict[str, Any]:
                 "object": list(row.pose),
                 "bits": bits_text(row.seen.bits),
                 "held_up": bits_text(row.seen.stalled),
+                "track": None if row.seen.track is None else list(row.seen.track),
                 "why": reasons.index(row.why),
             }
             for row in done.trace.rows
@@ -85,9 +86,10 @@ def text_bits(text: str) -> tuple[bool, ...]:
 
 def _row(each: dict[str, Any], reasons: list[str]) -> Row:
     right, left = (tuple(float(angle) for angle in each[name]) for name in ("right_rad", "left_rad"))
-    held = text_bits(each["held_up"])
+    held, told = text_bits(each["held_up"]), each.get("track")
+    track = None if told is None else (*_three(told[:3]), float(told[3]))
     seen = Observation(
-        float(each["t_s"]), right, left, text_bits(each["bits"]), (held[0], held[1]), _three(each["arm"])
+        float(each["t_s"]), right, left, text_bits(each["bits"]), (held[0], held[1]), _three(each["arm"]), track
     )
     return Row(seen, _three(each["object"]), str(reasons[each["why"]]))
 

@@ -8,7 +8,7 @@ from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 
-from palmar.models.quantity import LARGEST_LENGTH, Real, Unit, Value
+from palmar.models.quantity import LARGEST_LENGTH, Point, Real, Unit, Value
 
 Way = Annotated[Real, Field(ge=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE]
 Duration = Annotated[Real, Field(ge=0.0, le=1000.0), Unit.SECOND]
@@ -29,6 +29,8 @@ class BehaviourName(Enum):
     """Wait, or advance, until the palm feels something; then close (sections 4.3 and 7.3)."""
     JOINTED = "jointed"
     """The reflex of the 4-jointed hand: which link feels the object first decides how a finger closes (section 5.2.3)."""
+    MATCH_VELOCITY = "match_velocity"
+    """Fly along with a tracked free disk, bring it to its place in the hand, and close on it (section 4.3.1)."""
     FOLLOW_POLICY = "follow_policy"
     """Carry out the plan of ``palmar plan``: approach until a sensor fires, again if need be, then close (section 3.4)."""
 
@@ -46,13 +48,20 @@ class Behaviour(Value):
     first: Way = 0.0
     """The part of the advance with open fingers, where the rest is with closing ones."""
     delay: Duration = 0.0
-    """Between the palm's bit and closing."""
+    """Between the palm's bit and closing; of what a tracker tells, the age that is made up for."""
     patience: Duration = 10.0
-    """How long a hand waits that does not advance."""
+    """How long a hand waits that does not advance, or follows an object before it closes."""
     preshape: Annotated[Real, Field(ge=0.0, lt=pi), Unit.DEGREE] = Unit.DEGREE.to_si(20.0)
     """Distal angle to curl to where the distal link felt the object."""
     uncertainty: Annotated[Real, Field(gt=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE] = 0.02
     """Radius of the disk about the case's start in which a plan takes the object's centre to be."""
+
+    reach: Way = 1.0
+    """How far the hand that follows an object may go from where it started."""
+    acceleration: Annotated[Real, Field(gt=0.0, le=1e6), Unit.MILLIMETRE_PER_SECOND_SQUARED] = 2.0
+    """Of the arm, where that counts: when it follows an object."""
+    place: Annotated[Point | None, Unit.MILLIMETRE] = None
+    """Where in the hand an object is brought that is followed; absent = the middle of the largest circle of the region."""
 
     @model_validator(mode="after")
     def _first_within_advance(self) -> Self:

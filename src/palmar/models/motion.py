@@ -7,6 +7,9 @@ from dataclasses import dataclass
 Joints = tuple[float, ...]
 """Of one finger, from the base joint to the tip: angles (rad) or rates (rad/s), closing counted positive."""
 
+Track = tuple[float, float, float, float]
+"""Of the object, in the frame where the hand started: x, y (m), vx, vy (m/s)."""
+
 
 @dataclass(frozen=True)
 class Observation:
@@ -14,7 +17,8 @@ class Observation:
 
     ``bits`` has one entry for each sensor stretch, in the order of the layout. ``stalled`` (right, left): the finger was
     told to move and does not, because something holds it up by force: the object, the palm, a joint's end, the other
-    finger. ``arm`` is (x, y, theta), m and rad, of the hand in the frame where it started.
+    finger. ``arm`` is (x, y, theta), m and rad, of the hand in the frame where it started. ``track`` is what a tracker
+    tells of the object, with its delay and errors; None without one.
     """
 
     time: float
@@ -23,6 +27,7 @@ class Observation:
     bits: tuple[bool, ...] = ()
     stalled: tuple[bool, bool] = (False, False)
     arm: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    track: Track | None = None
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ class Unit(Enum):
 
     MILLIMETRE = ("mm", "mm", 1.0, 1000.0)
     MILLIMETRE_PER_SECOND = ("mm_s", "mm/s", 1.0, 1000.0)
+    MILLIMETRE_PER_SECOND_SQUARED = ("mm_s2", "mm/s^2", 1.0, 1000.0)
     DEGREE = ("deg", "deg", math.pi, 180.0)
     DEGREE_PER_SECOND = ("deg_s", "deg/s", math.pi, 180.0)
     KILOGRAM = ("kg", "kg", 1.0, 1.0)

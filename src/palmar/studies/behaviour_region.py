@@ -2,7 +2,7 @@
 
 A reflex decides by what it feels, so no closed form and no batch kernel has its region. Starts on a square grid are run one
 by one, on every processor that the executor has, and the grid is halved where neighbours differ (``boundary_search``):
-``sampled``. The object starts at the case's orientation.
+``sampled``. The object starts at the case's orientation and, in free space, velocity.
 """
 
 from __future__ import annotations
@@ -138,16 +138,35 @@ def _box(case: Case) -> Box:
     """Where a caught object may have started: within reach of the hand anywhere on its way."""
     hand, does, size = case.hand, case.behaviour, object_reach(case.object)
     way = does.advance if does.name in ADVANCING else 0.0
-    width = 2.0 * (hand.half_palm + hand.finger_length + size + abs(way * cos(does.direction)))
-    height = hand.finger_length + 2.0 * size + max(way * sin(does.direction), 0.0)
+    if does.name is BehaviourName.MATCH_VELOCITY:
+        # From anywhere that the arm can bring the hand to, and from where the disk flies there.
+        width = 2.0 * (
+            hand.half_palm + hand.finger_length + size + does.reach + abs(case.start.velocity[0]) * does.patience
+        )
+        height = hand.finger_length + 2.0 * size + does.reach + max(-case.start.velocity[1], 0.0) * does.patience
+        return Box(width, height, COARSE, False)
+    time, (vx, vy) = _duration(case), case.start.velocity
+    width = 2.0 * (hand.half_palm + hand.finger_length + size + abs(way * cos(does.direction)) + abs(vx) * time)
+    height = hand.finger_length + 2.0 * size + max(way * sin(does.direction), 0.0) + max(-vy, 0.0) * time
     if does.name is BehaviourName.FOLLOW_POLICY:
         width = max(width, 2.0 * (abs(case.start.at[0]) + does.uncertainty + size))
         height = max(height, case.start.at[1] + does.uncertainty + size)
     return Box(width, height, COARSE, _mirrored(case))
 
 
+def _duration(case: Case) -> float:
+    """Time (s) until the fingers are closed at the latest."""
+    does = case.behaviour
+    waits = does.advance / does.speed if does.name in ADVANCING else 0.0
+    if does.name is BehaviourName.PALM_REFLEX:
+        waits = (waits if does.advance > 0.0 else does.patience) + does.delay
+    return waits + (pi - case.hand.open) / case.hand.finger_rate
+
+
 def _mirrored(case: Case) -> bool:
     """Whether the region is its own mirror image, ties of Coulomb's law apart."""
+    if case.start.velocity[0] != 0.0:
+        return False
     if not isinstance(case.object, Disk) or case.support.pressure_centre != (0.0, 0.0):
         return False
     if case.behaviour.name is BehaviourName.FOLLOW_POLICY:

@@ -18,10 +18,14 @@ from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case
 from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
+from palmar.models.support import SupportKind
 from palmar.studies.plan import plan
 from palmar.worlds.planar.bits import Sensing
 from palmar.worlds.planar.feedback import TICK, feedback_world
+from palmar.worlds.planar.free_feedback import free_feedback_world
+from palmar.worlds.planar.tracker import Tracker
 from palmar.worlds.run import LONGEST, Trace, run
+from palmar.worlds.world import World
 
 CORNERS = 128
 MOST_APPROACHES = 3
@@ -48,6 +52,8 @@ class Circumstances:
     massive: bool | None = None
     """None: as the behaviour presumes, which is only so for a plan."""
     longest: float = LONGEST
+    tracker: Tracker | None = None
+    """What tracks a free disk; None: for a behaviour that needs it one without errors, as late as it presumes."""
 
 
 def run_behaviour(
@@ -60,12 +66,26 @@ def run_behaviour(
     asked = circumstances.massive
     massive = case.behaviour.name is BehaviourName.FOLLOW_POLICY if asked is None else asked
     chosen = behaviour_of(case) if reflex is None else reflex
-    world = feedback_world(case, start, tick=circumstances.tick, sensing=circumstances.sensing, massive=massive)
+    world = world_of(case, start, circumstances, massive)
     names = tuple(each.name for each in case.sensors.stretches(case.hand))
     trace = run(world, chosen, names, circumstances.longest)
     last = straight_motion(case.hand).last
     said = verdict(trace.rows[-1].seen, case_places(case), last, case.hand.fingers is Fingers.COLLIDING)
     return BehaviourRun(case, start, massive, trace, said)
+
+
+def world_of(case: Case, start: Place, circumstances: Circumstances, massive: bool) -> World:
+    """The planar world of a case: of an object on a table, or of a free disk."""
+    tick, sensing, tracker = circumstances.tick, circumstances.sensing, circumstances.tracker
+    if tracker is None and case.behaviour.name is BehaviourName.MATCH_VELOCITY:
+        tracker = Tracker(case.behaviour.delay)
+    if case.support.kind is SupportKind.FREE:
+        if massive:
+            raise NotCoveredError("massive: an object in free space does not stay where it is touched")
+        return free_feedback_world(case, start, tick=tick, sensing=sensing, tracker=tracker)
+    if tracker is not None:
+        raise NotCoveredError('support.kind = "table": only free disks are tracked')
+    return feedback_world(case, start, tick=tick, sensing=sensing, massive=massive)
 
 
 def behaviour_of(case: Case) -> Reflex[Any]:
@@ -74,6 +94,8 @@ def behaviour_of(case: Case) -> Reflex[Any]:
         return reflex_of(case)
     if not isinstance(case.object, Disk):
         raise NotCoveredError('behaviour "follow_policy" needs a plan, and plans are for disks')
+    if case.support.kind is SupportKind.FREE:
+        raise NotCoveredError('behaviour "follow_policy" needs a plan, and plans are for objects on a table')
     about = Point(0.0, 0.0).buffer(case.behaviour.uncertainty / cos(pi / CORNERS), quad_segs=CORNERS // 4)
     found = plan(case.model_copy(update={"behaviour": Behaviour()}), about, case.start.at, MOST_APPROACHES)
     hand = case.hand

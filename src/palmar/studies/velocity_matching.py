@@ -82,11 +82,11 @@ class Matching:
 
 
 def closing_time(case: Case) -> float:
-    """T (s): from the case's opening to where the tips of its straight fingers stand a disk apart, at its rate."""
+    """T (s): from the case's opening to where the tips of its straight fingers leave just a disk's room, at its rate."""
     if not isinstance(case.object, Disk):
         raise NotCoveredError('object.shape = "polygon": matching velocities is worked out for disks')
     hand = case.hand
-    cosine = (case.object.radius - hand.half_palm) / hand.finger_length
+    cosine = (case.object.radius + hand.half_thickness - hand.half_palm) / hand.finger_length
     if abs(cosine) > 1.0 or acos(cosine) <= hand.open:
         raise NotCoveredError("the fingertips never close to the disk's diameter, so no closing time is known")
     return (acos(cosine) - hand.open) / hand.finger_rate

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import difflib
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
 from palmar.errors import InputError
-from palmar.faces.cli.printing import number
+from palmar.faces.cli.printing import number, numbers
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.case_file import with_layout
+from palmar.models.support import SupportKind
+
+if TYPE_CHECKING:
+    from palmar.worlds.planar.tracker import Tracker
 
 NAMES = tuple(each.value for each in BehaviourName)
 Number = Annotated[str, Parameter(allow_leading_hyphen=True)]
@@ -23,6 +27,40 @@ Massive = Annotated[
     bool | None,
     Parameter(help="While only the arm moves, touch does not move the object but stops the arm; else as usual."),
 ]
+Velocity = Annotated[
+    str | None,
+    Parameter(help="VX,VY in mm/s of a free object; else the case's start velocity.", allow_leading_hyphen=True),
+]
+Track = Annotated[
+    str | None,
+    Parameter(
+        help="DELAY_MS,POSITION_MM,VELOCITY_MM_S: a tracker of a free object, how late, and its standard deviations."
+    ),
+]
+
+
+def with_velocity(case: Case, velocity: str | None) -> Case:
+    """The case with the start velocity of the option, where it is given."""
+    if velocity is None:
+        return case
+    vx, vy = (1e-3 * each for each in numbers(velocity, "--velocity", (2,), "VX,VY"))
+    if case.support.kind is not SupportKind.FREE:
+        raise InputError("--velocity", velocity[:60], 'an object on a table starts at rest: support.kind = "free"')
+    return case.model_copy(update={"start": case.start.model_copy(update={"velocity": (vx, vy)})})
+
+
+def tracker_of(track: str | None, seed: int) -> Tracker | None:
+    """The tracker of the option; None without it."""
+    from palmar.worlds.planar.tracker import Tracker
+
+    if track is None:
+        return None
+    form = "DELAY_MS,POSITION_MM,VELOCITY_MM_S"
+    values = numbers(track, "--track", (3,), form)
+    if min(values) < 0.0:
+        raise InputError("--track", track[:60], f"{form} must not be negative")
+    delay, position, velocity = (1e-3 * each for each in values)
+    return Tracker(delay, position, velocity, seed)
 
 
 def with_behaviour(case: Case, behaviour: str | None, sensors: str | None) -> Case:

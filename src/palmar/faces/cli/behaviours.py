@@ -11,7 +11,19 @@ from cyclopts import App, Parameter
 
 from palmar.behaviours.descriptions import DESCRIPTIONS
 from palmar.errors import InputError
-from palmar.faces.cli.behaviour_options import Layout, Massive, Named, Number, named, with_behaviour, within
+from palmar.faces.cli.behaviour_options import (
+    Layout,
+    Massive,
+    Named,
+    Number,
+    Track,
+    Velocity,
+    named,
+    tracker_of,
+    with_behaviour,
+    with_velocity,
+    within,
+)
 from palmar.faces.cli.behaviour_region import region
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.texts import table, titled
@@ -52,7 +64,7 @@ def describe(
     lines += [f"{k + 1}. {step}" for k, step in enumerate(known.steps)]
     lines += ["", f"Needs {known.needs}. Source: section {known.section}."]
     if parameters:
-        lines += ["", "In a case file, [behaviour]:", table([(f"{key} = {value:g}",) for key, value in parameters])]
+        lines += ["", "In a case file, [behaviour]:", table([(_line(*each),) for each in parameters])]
     record = {
         "name": chosen.value, "summary": known.summary, "steps": list(known.steps), "needs": known.needs,
         "section": known.section, "parameters": dict(parameters),
@@ -66,13 +78,15 @@ def run_one(
     *,
     behaviour: Named = None,
     start: Annotated[Text, Parameter(help="X_MM,Y_MM[,THETA_DEG]; else the case's start.")] = None,
+    velocity: Velocity = None,
     sensors: Layout = None,
+    track: Track = None,
     massive: Massive = None,
     tick: Annotated[Number, Parameter(help="Time between two observations in ms.")] = "5",
     longest: Annotated[Number, Parameter(help="Cut it off after so many seconds.")] = "600",
     missed: Annotated[Number, Parameter(help="Share of touches that a sensor never sees.")] = "0",
     false_rate: Annotated[Number, Parameter(help="How often a second a sensor fires without a touch.")] = "0",
-    seed: Annotated[int, Parameter(help="Of the sensors' faults.")] = 0,
+    seed: Annotated[int, Parameter(help="Of the sensors' faults and the tracker's errors.")] = 0,
     out: Annotated[
         Path | None, Parameter(help="Also keep the run: json, csv; or draw it: svg, pdf, png; or film it: gif.")
     ] = None,
@@ -87,7 +101,7 @@ def run_one(
     if out is not None:
         known_ending(out)
     name, given = open_case(case)
-    given = with_behaviour(given, behaviour, sensors)
+    given = with_velocity(with_behaviour(given, behaviour, sensors), velocity)
     place = _place(given, start)
     seconds = 1e-3 * within("--tick", tick, 1.0, 1000.0)
     if not 0 <= seed < 2**32:
@@ -99,7 +113,8 @@ def run_one(
     if given.behaviour.name is BehaviourName.FOLLOW_POLICY:
         progress("planning")
     most = within("--longest", longest, 0.0, 3600.0)
-    done = run_behaviour(given, place, Circumstances(seconds, faults, massive, most))
+    tracker = tracker_of(track, seed)
+    done = run_behaviour(given, place, Circumstances(seconds, faults, massive, most, tracker))
     if out is not None:
         write_trace(out, done)
     _tell(name, done, out, json)
@@ -151,11 +166,15 @@ def _short(text: str) -> str:
     return re.sub(r"\d+\.\d{2,}", lambda found: f"{float(found[0]):.1f}", text.replace("_", " "))
 
 
-def _parameter(name: str) -> tuple[str, float]:
-    """A parameter's key in a case file and its default in the file's unit."""
+def _parameter(name: str) -> tuple[str, float | None]:
+    """A parameter's key in a case file and its default in the file's unit; None if it is absent."""
     field = Behaviour.model_fields[name]
-    unit = unit_of(field)
-    return file_key(name, field), field.default if unit is None else unit.from_si(field.default)
+    unit, given = unit_of(field), field.default
+    return file_key(name, field), given if unit is None or given is None else unit.from_si(given)
+
+
+def _line(key: str, value: float | None) -> str:
+    return f"{key} absent" if value is None else f"{key} = {value:g}"
 
 
 def _place(case: Case, start: str | None) -> tuple[float, float, float]:

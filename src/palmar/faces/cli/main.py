@@ -22,6 +22,7 @@ for name, summary in {
     "plan": "Approaches by touch that certainly end in a grasp.",
     "touch": "What the hand's sensors buy, and how few would do.",
     "behaviours": "What the hand can be told to do, and a run of it under feedback.",
+    "impact": "How hard a finger strikes the object, and what softens that.",
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",

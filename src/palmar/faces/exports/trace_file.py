@@ -21,6 +21,7 @@ LARGEST_FILE = 200_000_000
 NOTE = "# "
 """Begins the CSV's first lines: everything but the rows, as one line of JSON."""
 POSES = ("x_mm", "y_mm", "theta_deg")
+TRACK = ("track_x_mm", "track_y_mm", "track_vx_mm_s", "track_vy_mm_s")
 
 
 def known_ending(path: Path) -> None:
@@ -71,20 +72,20 @@ def _csv(record: dict[str, Any]) -> str:
     out = io.StringIO()
     out.write(NOTE + json.dumps({key: value for key, value in record.items() if key != "rows"}) + "\n")
     rows = record["rows"]
-    joints = range(len(rows[0]["right_rad"]))
+    joints, tracked = range(len(rows[0]["right_rad"])), rows[0]["track"] is not None
     writer = csv.writer(out, lineterminator="\n")
     angles = [f"{side}_{k + 1}_deg" for side in ("right", "left") for k in joints]
     writer.writerow(
         ["t_s", *(f"arm_{each}" for each in POSES), *angles, *(f"object_{each}" for each in POSES),
-         "bits", "held_up", "why"]
+         *(TRACK if tracked else ()), "bits", "held_up", "why"]
     )  # fmt: skip
     for row in rows:
         turned = [degrees(each) for each in (*row["right_rad"], *row["left_rad"])]
         # A leading mark keeps spreadsheets from reading 010 as ten.
         bits = (f"b{row[name]}" for name in ("bits", "held_up"))
         writer.writerow(
-            [row["t_s"], *_to_file(row["arm"]), *turned, *_to_file(row["object"]), *bits,
-             record["reasons"][row["why"]]]
+            [row["t_s"], *_to_file(row["arm"]), *turned, *_to_file(row["object"]),
+             *(1e3 * each for each in row["track"] or ()), *bits, record["reasons"][row["why"]]]
         )  # fmt: skip
     return out.getvalue()
 
@@ -113,6 +114,7 @@ def _csv_row(row: dict[str, str], known: dict[str, int]) -> dict[str, Any]:
         "right_rad": joints("right"),
         "left_rad": joints("left"),
         "object": pose("object"),
+        "track": [1e-3 * float(row[each]) for each in TRACK] if TRACK[0] in row else None,
         "bits": row["bits"].removeprefix("b"),
         "held_up": row["held_up"].removeprefix("b"),
         "why": known[row["why"]],

@@ -11,7 +11,7 @@ batch kernel follows them all and reports the worst.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import inf
 
 import numpy as np
@@ -24,43 +24,40 @@ from palmar.mechanics.pushing.polygon_contacts import scale_of
 from palmar.mechanics.pushing.resting import slider_of
 from palmar.mechanics.pushing.slider import moved_poses, slider_body
 from palmar.models.case import Case
-from palmar.models.motion import Command, Joints, Observation
+from palmar.models.motion import Command, Observation
 from palmar.models.outcome import Outcome
 from palmar.worlds.planar.bits import Bits, Sensing, bits_of
 from palmar.worlds.planar.carriage import Carriage
-from palmar.worlds.planar.finger_travel import FingerTravel, travel_of
+from palmar.worlds.planar.finger_pair import SIDES, Both, FingerPair
+from palmar.worlds.planar.finger_travel import travel_of
 from palmar.worlds.planar.table import refuse_uncovered
 
 TICK = 0.005
 LONGEST_TURN = 0.1
 """A joint turns by no more (rad) without a look at whether its finger has come to the palm."""
 NO_TIME = 1e-12
-SIDES = (0, 1)
 HOLDS = (Outcome.STRUCTURAL, Outcome.FRICTIONAL)
 
 
 @dataclass
 class FeedbackWorld:
-    """One hand and one object; made by ``feedback_world``.
-
-    ``told``: the joint rates of the last command, right and left; ``held``: fingers that are held up by anything,
-    ``gripped``: by the object.
-    """
+    """One hand and one object; made by ``feedback_world``."""
 
     carriage: Carriage
     centre: tuple[float, float]
-    travel: FingerTravel
+    fingers: FingerPair
     bits: Bits
     massive: bool
     tick: float
-    angles: tuple[Joints, Joints]
     invalid: bool
     time: float = 0.0
-    told: tuple[Joints, Joints] = ((), ())
-    held: list[bool] = field(default_factory=lambda: [False, False])
-    gripped: list[bool] = field(default_factory=lambda: [False, False])
     still: bool = False
     firing: tuple[bool, ...] = ()
+
+    @property
+    def angles(self) -> Both:
+        """Of all joints (rad), right and left."""
+        return self.fingers.angles
 
     @property
     def settled(self) -> bool:
@@ -88,12 +85,13 @@ class FeedbackWorld:
     def observe(self) -> Observation:
         """What the hand feels and knows of itself now."""
         right, left = self.angles
-        return Observation(self.time, right, left, self.firing, (self.held[0], self.held[1]), (*self.carriage.arm, 0.0))
+        held = self.fingers.held[0], self.fingers.held[1]
+        return Observation(self.time, right, left, self.firing, held, (*self.carriage.arm, 0.0))
 
     def act(self, command: Command, seconds: float) -> float:
         """Let a command hold for so long, or as long as it allows; returns the seconds it held."""
         span = seconds if command.longest is None else min(seconds, command.longest)
-        self._listen(command)
+        self.fingers.listen(command)
         before, left = (self.carriage.place, self.carriage.arm, self.angles), span
         fastest = max(abs(each) for each in (*command.right, *command.left))
         most = min(self.tick, LONGEST_TURN / fastest) if fastest > 0.0 else span
@@ -101,14 +99,14 @@ class FeedbackWorld:
             left -= self._go(command, min(left, most))
         self.time += span
         self.still = before == (self.carriage.place, self.carriage.arm, self.angles)
-        self.feel(span, not self._slides_by(command) and not any(self.gripped))
+        self.feel(span, not self._slides_by(command) and not any(self.fingers.gripped))
         return span
 
     def outcome(self) -> Outcome:
         """What has become of the object, were this the end."""
         if self.broken:
             return Outcome.INVALID if self.invalid else Outcome.UNDECIDED
-        return Outcome.from_code(self.carriage.judged(self.angles, (self.gripped[0], self.gripped[1])))
+        return Outcome.from_code(self.carriage.judged(self.angles, (self.fingers.gripped[0], self.fingers.gripped[1])))
 
     def _slides_by(self, command: Command) -> bool:
         """Whether the arm moves by an object that stays."""
@@ -118,32 +116,21 @@ class FeedbackWorld:
         """Read the sensors, ``seconds`` after the last reading; ``displaces``: touch moves the object."""
         self.firing = self.bits.read(self.carriage.touches(self.angles), self.carriage.place[:2], seconds, displaces)
 
-    def _listen(self, command: Command) -> None:
-        """A finger that is told something else is free again."""
-        told = command.right, command.left
-        if any(len(each) != len(self.travel.links) for each in told):
-            raise ValueError(f"a command needs a rate for each of a finger's {len(self.travel.links)} joints")
-        for side in SIDES:
-            if told[side] != self.told[side]:
-                self.held[side] = False
-                self.gripped[side] = self.gripped[side] and not any(told[side])
-        self.told = told
-
     def _go(self, command: Command, left: float) -> float:
         """Go on for at most ``left`` (s), until something reaches its end; returns the time this took."""
-        rates = self._rates(0), self._rates(1)
+        rates = self.fingers.rates(0), self.fingers.rates(1)
         rests = not any(rates[0]) and not any(rates[1])
         if rests and command.velocity == (0.0, 0.0):
             return left
-        if rests and any(self.gripped) and self.outcome() in HOLDS:
+        if rests and any(self.fingers.gripped) and self.outcome() in HOLDS:
             self.carriage.take_along(self.angles, command.velocity, left)
             return left
         if self._slides_by(command):
             self.carriage.slide(self.angles, command.velocity, left)
             return left
-        before = list(self.held)
-        palm = [self.travel.to_palm(self.angles[k], rates[k], left) for k in SIDES]
-        span = min([left, *palm, *(self.travel.to_joint_end(self.angles[k], rates[k]) for k in SIDES)])
+        before = list(self.fingers.held)
+        palm = [self.fingers.travel.to_palm(self.angles[k], rates[k], left) for k in SIDES]
+        span = min([left, *palm, *(self.fingers.travel.to_joint_end(self.angles[k], rates[k]) for k in SIDES)])
         spent, stops = span, (inf, inf)
         if span > NO_TIME:
             carried = self.carriage.carry(self.angles, rates, command.velocity, span)
@@ -151,18 +138,10 @@ class FeedbackWorld:
         met = spent < span - NO_TIME and stops == (inf, inf)
         for side in SIDES:
             if any(rates[side]) and (met or stops[side] < inf or palm[side] <= spent + NO_TIME):
-                self.held[side] = True
-                self.gripped[side] = self.gripped[side] or stops[side] < inf
-        right, other = (_turned(self.angles[k], rates[k], min(spent, stops[k])) for k in SIDES)
-        self.angles = right, other
-        return left if spent <= NO_TIME and self.held == before else spent
-
-    def _rates(self, side: int) -> Joints:
-        """The rates of a finger that is told to move, without what is held up; notes if that is all of it."""
-        told = self.told[side]
-        rates = self.travel.allowed(self.angles[side], told)
-        self.held[side] = any(told) and (self.held[side] or not any(rates))
-        return tuple(0.0 for _ in told) if self.held[side] else rates
+                self.fingers.held[side] = True
+                self.fingers.gripped[side] = self.fingers.gripped[side] or stops[side] < inf
+        self.fingers.turn(rates, (min(spent, stops[0]), min(spent, stops[1])))
+        return left if spent <= NO_TIME and self.fingers.held == before else spent
 
 
 def feedback_world(
@@ -194,14 +173,9 @@ def feedback_world(
     angles = straight, straight
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing
     bits = bits_of(hand, case.sensors.stretches(hand), faults)
-    world = FeedbackWorld(
-        carriage, slider.centre, travel_of(hand), bits, massive, tick, angles, carriage.overlaps(angles)
-    )
+    fingers = FingerPair(travel_of(hand), angles)
+    world = FeedbackWorld(carriage, slider.centre, fingers, bits, massive, tick, carriage.overlaps(angles))
     world.firing = (False,) * len(bits.rows)
     if not world.invalid:
         world.feel(0.0, not massive)
     return world
-
-
-def _turned(angles: Joints, rates: Joints, seconds: float) -> Joints:
-    return tuple(angle + rate * seconds for angle, rate in zip(angles, rates, strict=True))

@@ -1,0 +1,169 @@
+"""The numbers of section 4.3.2 for a case: how hard a finger strikes the object, and what would soften that.
+
+The finger on the object's side meets it, at the case's start, where its side first touches: at the foot X from the base
+joint. Disks only; the finger is a uniform rod, or heavy without a mass.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import asin, atan2, hypot, inf, sqrt
+
+from palmar.errors import InputError, NotCoveredError
+from palmar.mechanics.impact.collision import rod_inertia
+from palmar.mechanics.impact.force_feedback_4_3_2 import gain_limit, hammering, worst_lag
+from palmar.mechanics.impact.impact_force_4_3_2 import (
+    compression,
+    contact_duration,
+    damping_ratio_for,
+    effective_mass,
+    pad_stiffness,
+    peak_force,
+    restitution,
+    stiffness_for,
+)
+from palmar.mechanics.impact.touch_down_4_3_2 import touch_down
+from palmar.models.case import Case
+from palmar.models.objects import Disk
+
+ROUNDING = 1e-15
+"""A damping ratio below this is none."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """Approach speed (m/s; None: the finger's at its rate), stiffness (N/m) of the contact, damping ratio (None: that of
+    the case's restitution), force limit (N), torque limit of the finger (N m), lag of a force-controlled drive (s).
+    """
+
+    speed: float | None = None
+    stiffness: float | None = None
+    damping: float | None = None
+    force_limit: float | None = None
+    torque: float | None = None
+    lag: float | None = None
+
+
+@dataclass(frozen=True)
+class Softness:
+    """Of a contact of ``stiffness`` (N/m): peak force (N), duration (s), greatest compression (m)."""
+
+    stiffness: float
+    peak: float
+    duration: float
+    compression: float
+
+
+@dataclass(frozen=True)
+class BangBang:
+    """Base angle (rad) and time (s) of the torque's reversal, time of the touch (s), speed there (m/s)."""
+
+    switch_angle: float
+    switch_time: float
+    time: float
+    speed: float
+
+
+@dataclass(frozen=True)
+class Feedback:
+    """Force gain below which the loop is stable, the lag (s) that allows the least, frequency (rad/s) at the limit."""
+
+    gain_limit: float
+    worst_lag: float
+    hammering: float
+
+
+@dataclass(frozen=True)
+class ImpactNumbers:
+    """``foot`` (m) and base ``angle`` (rad) of the touch, approach ``speed`` (m/s), reduced ``mass`` (kg), damping ratio and
+    the restitution that it gives; and what was asked for. ``pad`` (N/m): inf where none is needed, None without a contact.
+    """
+
+    foot: float
+    angle: float
+    speed: float
+    mass: float
+    damping: float
+    restitution: float
+    contact: Softness | None = None
+    softest: Softness | None = None
+    pad: float | None = None
+    touch_down: BangBang | None = None
+    feedback: Feedback | None = None
+
+
+def impact_numbers(case: Case, asked: Asked) -> ImpactNumbers:
+    """Work out what is asked; raises InputError where something that it needs is missing, NotCoveredError for polygons."""
+    if not isinstance(case.object, Disk):
+        raise NotCoveredError('object.shape = "polygon": impacts are worked out for disks')
+    angle, foot = _touch(case, case.object.radius)
+    speed = case.hand.finger_rate * foot if asked.speed is None else asked.speed
+    inertia = inf if case.hand.finger_mass is None else rod_inertia(case.hand.finger_mass, case.hand.finger_length)
+    mass, zeta = float(effective_mass(case.object.mass, foot, inertia)), _damping(case, asked)
+    contact = None if asked.stiffness is None else _softness(mass, speed, asked.stiffness, zeta)
+    softest, pad = None, None
+    if asked.force_limit is not None:
+        whole = float(stiffness_for(asked.force_limit, mass, speed, zeta))
+        softest = _softness(mass, speed, whole, zeta)
+        pad = None if asked.stiffness is None else float(pad_stiffness(whole, asked.stiffness))
+    return ImpactNumbers(
+        foot, angle, speed, mass, zeta, float(restitution(zeta)), contact, softest, pad,
+        _bang_bang(case, asked, angle, foot, speed, inertia), _feedback(asked, mass, foot, zeta, inertia),
+    )  # fmt: skip
+
+
+def _touch(case: Case, radius: float) -> tuple[float, float]:
+    """(base angle, foot) where the side of the straight finger meets the disk at the case's start."""
+    hand, (x, y) = case.hand, case.start.at
+    qx, off = abs(x) - hand.half_palm, radius + hand.half_thickness
+    apart = hypot(qx, y)
+    if apart > off:
+        angle, foot = atan2(y, qx) - asin(off / apart), sqrt(apart * apart - off * off)
+        if foot <= hand.finger_length and angle >= hand.open:
+            return angle, foot
+    raise NotCoveredError("no finger meets the object at the case's start with its side")
+
+
+def _damping(case: Case, asked: Asked) -> float:
+    if asked.damping is not None:
+        return asked.damping
+    zeta = float(damping_ratio_for(case.contact.restitution))
+    if zeta == inf:
+        raise InputError(
+            "--damping", None, "must be given where the case's restitution is 0: no finite damping has that"
+        )
+    return zeta if zeta > ROUNDING else 0.0
+
+
+def _softness(mass: float, speed: float, stiffness: float, zeta: float) -> Softness:
+    return Softness(
+        stiffness, float(peak_force(mass, speed, stiffness, zeta)), float(contact_duration(mass, stiffness, zeta)),
+        float(compression(mass, speed, stiffness, zeta)),
+    )  # fmt: skip
+
+
+def _bang_bang(case: Case, asked: Asked, angle: float, foot: float, speed: float, inertia: float) -> BangBang | None:
+    """From rest at the open angle."""
+    if asked.torque is None:
+        return None
+    if inertia == inf:
+        raise InputError("--torque", None, "needs the finger's mass: hand.finger_mass_kg")
+    found = touch_down(angle - case.hand.open, speed / foot, asked.torque, inertia)
+    return BangBang(
+        case.hand.open + float(found.switch_angle), float(found.switch_time), float(found.time),
+        float(found.arrival) * foot,
+    )  # fmt: skip
+
+
+def _feedback(asked: Asked, mass: float, foot: float, zeta: float, inertia: float) -> Feedback | None:
+    """Of the finger's mass at the foot, with the stiffness and the damper of the contact."""
+    if asked.lag is None:
+        return None
+    if inertia == inf or asked.stiffness is None:
+        raise InputError("--lag", None, "needs --stiffness and the finger's mass: hand.finger_mass_kg")
+    k, finger = asked.stiffness, inertia / foot**2
+    damper = 2.0 * zeta * sqrt(k * mass)
+    return Feedback(
+        float(gain_limit(finger, damper, k, asked.lag)), float(worst_lag(finger, k)),
+        float(hammering(finger, damper, k, asked.lag)),
+    )  # fmt: skip
