@@ -1,4 +1,4 @@
-"""A case's behaviour run in the planar world: the trace, the outcome, and what the hand may say of it by itself."""
+"""A case's behaviour run in a world: the trace, the outcome, and what the hand may say of it by itself."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from palmar.studies.plan import plan
 from palmar.worlds.planar.bits import Sensing
 from palmar.worlds.planar.feedback import TICK, feedback_world
 from palmar.worlds.run import LONGEST, Trace, run
+from palmar.worlds.world import WorldMaker
 
 CORNERS = 128
 MOST_APPROACHES = 3
@@ -48,6 +49,8 @@ class Circumstances:
     massive: bool | None = None
     """None: as the behaviour presumes, which is only so for a plan."""
     longest: float = LONGEST
+    make: WorldMaker = feedback_world
+    """Which world; it has to be picklable where runs are shared out among processes."""
 
 
 def run_behaviour(
@@ -60,7 +63,7 @@ def run_behaviour(
     asked = circumstances.massive
     massive = case.behaviour.name is BehaviourName.FOLLOW_POLICY if asked is None else asked
     chosen = behaviour_of(case) if reflex is None else reflex
-    world = feedback_world(case, start, tick=circumstances.tick, sensing=circumstances.sensing, massive=massive)
+    world = circumstances.make(case, start, tick=circumstances.tick, sensing=circumstances.sensing, massive=massive)
     names = tuple(each.name for each in case.sensors.stretches(case.hand))
     trace = run(world, chosen, names, circumstances.longest)
     last = straight_motion(case.hand).last

@@ -6,36 +6,51 @@ line fingers and a line palm have a body too. A disk is a sphere, so that its co
 of capsules along its edges, its corners rounded to a radius of twice ``rounding``.
 
 The table's friction is one contact that resists turning too, of a ball at the centre of pressure: the ellipsoidal limit
-surface with c = (largest moment) / (largest force) of the case's pressure.
+surface with c = (largest moment) / (largest force) of the case's pressure. In free space there is no table and no weight;
+contacts are damped springs that take ``CONTACT_TIME``, their damping that of the case's restitution.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import hypot, log, pi, sqrt
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.mechanics.pushing.slider import Slider
+from palmar.errors import NotCoveredError
+from palmar.mechanics.pushing.hand_pose import MOST_LINKS
+from palmar.mechanics.pushing.resting import slider_of
+from palmar.mechanics.pushing.slider import Slider, slider_body
 from palmar.models.case import Case
 from palmar.models.hand import Fingers
+from palmar.models.objects import Disk
+from palmar.models.support import SupportKind
 
 GRAVITY = 9.81
-STEP = 5e-4
-"""Time step (s); halving it changes ends as docs/results/mujoco_world.md says."""
+STEP, FREE_STEP = 1e-3, 1e-4
+"""Time steps (s) on a table and in free space; docs/results/mujoco_world.md says what halving them changes."""
+CONTACT_TIME = 5e-3
+"""Duration of an impact (s)."""
+LEAST_RESTITUTION = 1e-3
+HEAVY = 1000.0
+"""Inertia of a finger that is not slowed by impacts, and of the arm, in units of the object's."""
+START_TIME = 0.05
+"""In free space a joint's motor brings it to the finger rate in so long (s), if something has stopped it."""
 STRENGTH = 20.0
 """The motors push a fingertip with so many times the table's friction, at most."""
 LEAST_FRICTION = 0.05
 """The same for tables of less friction than this."""
-DISK_ROUNDING, POLYGON_ROUNDING = 0.1, 0.005
+DISK_ROUNDING, POLYGON_ROUNDING = 0.001, 0.005
 """In reaches of the object."""
 MEETING = 1e-4
 """Half thickness, in finger lengths, with which line fingers of one plane meet."""
 STIFFNESS = 0.2
 """Of a joint's servo, in units of inertia / step^2: explicit steps are stable below 1."""
-ARM_MASS = 1000.0
-"""In masses of the object, or of its inertia about the finger's base."""
+MOST_CORNERS, THINNEST = 64, 0.1
+"""Corners; least width of a polygon in its reaches."""
 SIDES = (("right", 1.0), ("left", -1.0))
 Floats = NDArray[np.float64]
 
@@ -46,7 +61,12 @@ class Scene:
 
     case: Case
     slider: Slider
-    step: float = STEP
+    step: float
+
+    @property
+    def free(self) -> bool:
+        """Whether the object is in free space."""
+        return self.case.support.kind is SupportKind.FREE
 
     @property
     def reach(self) -> float:
@@ -64,25 +84,33 @@ class Scene:
     @property
     def torque(self) -> float:
         """Largest (N m) of a finger's joint."""
+        if self.free:
+            return self.inertia * self.case.hand.finger_rate / START_TIME
         friction = max(self.case.support.friction, LEAST_FRICTION)
         return STRENGTH * friction * self.case.object.mass * GRAVITY * self.case.hand.finger_length
 
     @property
     def inertia(self) -> float:
-        """Of a joint's motor (kg m^2): that of the object at the fingertip."""
-        return self.case.object.mass * self.case.hand.finger_length**2
+        """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space."""
+        return (HEAVY if self.free else 1.0) * self.case.object.mass * self.case.hand.finger_length**2
 
     def xml(self) -> str:
         """The scene in MuJoCo's language."""
         return f"""<mujoco><compiler angle="radian"/>
-        <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast" gravity="0 0 {-GRAVITY}"/>
+        <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast"
+        gravity="0 0 {0.0 if self.free else -GRAVITY}"/>
         <default><geom contype="0" conaffinity="0"/>
         <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
         <worldbody><geom name="floor" type="plane" size="1 1 1"/>{self._hand()}{self._object()}</worldbody>
         <contact>{"".join(self._pairs())}</contact><actuator>{"".join(self._servos())}</actuator></mujoco>"""
 
+    def meeting(self, model: Any) -> list[int]:
+        """Numbers of the geoms with which fingers of one plane meet."""
+        count = len(self.case.hand.finger_links)
+        return [model.geom(f"meets_{name}_{k + 1}").id for name, _ in SIDES for k in range(count)]
+
     def _hand(self) -> str:
-        hand, mass = self.case.hand, ARM_MASS * self.case.object.mass
+        hand, mass = self.case.hand, HEAVY * self.case.object.mass
         slides = "".join(
             f'<joint name="arm_{name}" type="slide" axis="{axis}" armature="{mass}"/>'
             for name, axis in (("x", "1 0 0"), ("y", "0 1 0"))
@@ -109,12 +137,14 @@ class Scene:
 
     def _object(self) -> str:
         mass, size = self.case.object.mass, 0.5 * self.reach**2
-        slides = "".join(f'<joint name="object_{n}" type="slide" axis="{a}"/>' for n, a in (
-            ("x", "1 0 0"), ("y", "0 1 0"), ("z", "0 0 1")))  # fmt: skip
+        axes = ("1 0 0", "0 1 0") if self.free else ("1 0 0", "0 1 0", "0 0 1")
+        slides = "".join(f'<joint type="slide" axis="{each}"/>' for each in axes)
         weight = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{mass * size} {mass * size} {mass * size}"/>'
         ball = f'<geom name="ball" type="sphere" size="{self.reach}"/>'
-        turns = '<joint name="object_turn" axis="0 0 1"/>'
-        return f'<body name="object" pos="0 0 {self.reach}">{weight}{slides}{turns}{ball}{"".join(self._outline())}</body>'
+        turns = '<joint axis="0 0 1"/>'
+        return (
+            f'<body name="object" pos="0 0 {self.reach}">{weight}{slides}{turns}{ball}{"".join(self._outline())}</body>'
+        )
 
     def _outline(self) -> Iterator[str]:
         """The object's geoms ``object_0``, ``object_1``, ..."""
@@ -131,25 +161,61 @@ class Scene:
     def _pairs(self) -> Iterator[str]:
         grip, table = self.case.contact.friction, self.case.support.friction
         turning = table * self.slider.surface.length
-        yield f'<pair geom1="floor" geom2="ball" condim="4" friction="{table} {table} {turning} 0 0"/>'
+        if not self.free:
+            yield f'<pair geom1="floor" geom2="ball" condim="4" friction="{table} {table} {turning} 0 0"/>'
         kind = f'condim="3" friction="{grip} {grip} 0 0 0"' if grip > 0.0 else 'condim="1"'
         count = len(self.case.hand.finger_links)
         links = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(count)]
         for link in ("palm", *links):
             for k in range(len(self.slider.core)):
-                yield f'<pair geom1="{link}" geom2="object_{k}" {kind}/>'
+                yield f'<pair geom1="{link}" geom2="object_{k}" {kind}{self._bounce()}/>'
         if self.case.hand.fingers is Fingers.COLLIDING:
             for one in links[:count]:
                 for other in links[count:]:
                     yield f'<pair geom1="meets_{one}" geom2="meets_{other}" condim="1"/>'
 
+    def _bounce(self) -> str:
+        """Stiffness and damping of contacts that give the case's restitution, per effective mass."""
+        if not self.free:
+            return ""
+        e = self.case.contact.restitution
+        loss = -log(max(e, LEAST_RESTITUTION))
+        ratio = loss / hypot(pi, loss)
+        stiff = (pi / CONTACT_TIME) ** 2 / (1.0 - ratio * ratio)
+        return f' solref="{-stiff} {-2.0 * ratio * sqrt(stiff)}"'
+
     def _servos(self) -> Iterator[str]:
-        joints = [(f"{name}_{k + 1}", self.inertia) for name, _ in SIDES for k in range(len(self.case.hand.finger_links))]
-        arm = ARM_MASS * self.case.object.mass
+        joints = [
+            (f"{name}_{k + 1}", self.inertia) for name, _ in SIDES for k in range(len(self.case.hand.finger_links))
+        ]
+        arm = HEAVY * self.case.object.mass
         for joint, inertia in (*joints, ("arm_x", arm), ("arm_y", arm)):
             stiff = STIFFNESS * inertia / self.step**2
             yield f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>'
             yield f'<velocity joint="{joint}" kv="{2.0 * (stiff * inertia) ** 0.5}"/>'
+
+
+def scene_of(case: Case, step: float | None = None) -> Scene:
+    """The scene of a case; raises NotCoveredError for what it does not have."""
+    hand = case.hand
+    if case.ranges:
+        raise NotCoveredError("a simulation takes plain numbers, not ranges")
+    if len(hand.finger_links) > MOST_LINKS:
+        raise NotCoveredError(f"a simulated finger has at most {MOST_LINKS} links, not {len(hand.finger_links)}")
+    if case.support.wall is not None:
+        raise NotCoveredError("support.wall_mm: the world mujoco has no wall")
+    free = case.support.kind is SupportKind.FREE
+    if free and not isinstance(case.object, Disk):
+        raise NotCoveredError('object.shape = "polygon": in free space only disks are simulated')
+    if free and hand.finger_mass is not None:
+        raise NotCoveredError("hand.finger_mass_kg: the world mujoco has heavy fingers only")
+    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP))
+    corners = len(scene.slider.core)
+    if corners > MOST_CORNERS:
+        raise NotCoveredError(f"the world mujoco has polygons of up to {MOST_CORNERS} corners, not {corners}")
+    if corners > 1 and slider_body(scene.slider, 0.0).width < THINNEST * scene.reach:
+        raise NotCoveredError("the world mujoco has no polygons thinner than a tenth of their reach")
+    return scene
 
 
 def inset(corners: Floats, by: float) -> Floats:

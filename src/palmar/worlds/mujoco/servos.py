@@ -1,7 +1,7 @@
 """The hand's motors: joints and arm follow a set point that moves at the commanded rate, by a spring and a damper.
 
 A joint pushes with a limited torque in the direction it is told to turn, and is not driven back: its gear holds whatever
-load. Told nothing, it holds its angle.
+load. Told nothing, it holds its angle. In free space fingers are heavy, and have the rate that they are told at once.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from palmar.models.motion import Joints
 from palmar.worlds.mujoco.engine import mujoco
@@ -29,7 +30,8 @@ class Servos:
     joints: int
     torque: float
     stiffness: float
-    told: np.ndarray = field(init=False)
+    at_once: bool
+    told: NDArray[np.float64] = field(init=False)
 
     def __post_init__(self) -> None:
         self.told = np.zeros(2 * self.joints + 2)
@@ -54,7 +56,12 @@ class Servos:
 
     def tell(self, rates: Both, velocity: tuple[float, float]) -> None:
         """Turn and move so from now on."""
-        self.told[:] = (*rates[0], *rates[1], *velocity)
+        told = np.array((*rates[0], *rates[1], *velocity))
+        if np.array_equal(told, self.told):
+            return
+        self.told = told
+        if self.at_once:
+            self.data.qvel[2 : 2 + 2 * self.joints], self.data.qvel[:2] = told[:-2], told[-2:]
         self.data.ctrl[0::2] = self.told
         self.data.ctrl[1::2] = self.told
         turns = self.told[:-2]
@@ -76,4 +83,4 @@ class Servos:
 def servos_of(scene: Scene, model: Any, data: Any) -> Servos:
     """The motors of a scene's hand."""
     joints = len(scene.case.hand.finger_links)
-    return Servos(model, data, joints, scene.torque, float(model.actuator_gainprm[0, 0]))
+    return Servos(model, data, joints, scene.torque, float(model.actuator_gainprm[0, 0]), scene.free)

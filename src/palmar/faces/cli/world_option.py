@@ -1,0 +1,26 @@
+"""The option ``--world``: which physics."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from palmar.worlds.world import WorldMaker
+
+Physics = Annotated[
+    Literal["planar", "mujoco"],
+    Parameter(help="The physics: this project's kernels, or MuJoCo (the extra mujoco)."),
+]
+
+
+def maker_of(world: str) -> WorldMaker:
+    """What makes the world of that name; raises NotCoveredError where MuJoCo is not installed."""
+    if world == "mujoco":
+        from palmar.worlds.mujoco.world import mujoco_world
+
+        return mujoco_world
+    from palmar.worlds.planar.feedback import feedback_world
+
+    return feedback_world
