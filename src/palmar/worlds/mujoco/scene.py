@@ -99,7 +99,7 @@ class Scene:
         return f"""<mujoco><compiler angle="radian"/>
         <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast"
         gravity="0 0 {0.0 if self.free else -GRAVITY}"/>
-        <default><geom contype="0" conaffinity="0"/>
+        <default><geom contype="0" conaffinity="0"/><joint solreflimit="{2.0 * self.step} 1" solimplimit="0.99 0.99 0.001"/>
         <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
         <worldbody><geom name="floor" type="plane" size="1 1 1"/>{self._hand()}{self._object()}</worldbody>
         <contact>{"".join(self._pairs())}</contact><actuator>{"".join(self._servos())}</actuator></mujoco>"""
@@ -129,7 +129,7 @@ class Scene:
             meets = max(hand.half_thickness, MEETING * hand.finger_length)
             inner = (
                 f'<body pos="{at} 0 0"><joint name="{name}_{k + 1}" axis="0 0 {side}" armature="{self.inertia}"'
-                ' actuatorfrclimited="true" actuatorfrcrange="-1 1"/>'
+                ' actuatorfrclimited="true" actuatorfrcrange="-1 1" limited="true" range="-1 1"/>'
                 f'<geom name="{name}_{k + 1}" size="{hand.half_thickness + self.rounding}" {line}/>'
                 f'<geom name="meets_{name}_{k + 1}" size="{meets}" {line}/>{inner}</body>'
             )

@@ -68,6 +68,8 @@ class Servos:
         limits = self.model.jnt_actfrcrange[2 : 2 + 2 * self.joints]
         limits[:, 0] = np.where(turns < 0.0, -self.torque, -UNLIMITED)
         limits[:, 1] = np.where(turns > 0.0, self.torque, UNLIMITED)
+        self.model.jnt_range[2 : 2 + 2 * self.joints] = -UNLIMITED, UNLIMITED
+        self._lock_behind()
 
     def go(self, seconds: float, step: float) -> None:
         """Let the scene go on; set points do not run away from joints that are held up."""
@@ -78,6 +80,13 @@ class Servos:
         ahead = np.where(self.told[:-2] == 0.0, UNLIMITED, self.torque) / self.stiffness
         set_points = self.data.act[: 2 * self.joints]
         np.clip(set_points, turns - ahead, turns + ahead, out=set_points)
+        self._lock_behind()
+
+    def _lock_behind(self) -> None:
+        """No joint that is told to turn goes back behind where it has been."""
+        turns, ends = self.data.qpos[2 : 2 + 2 * self.joints], self.model.jnt_range[2 : 2 + 2 * self.joints]
+        ends[:, 0] = np.where(self.told[:-2] > 0.0, np.maximum(ends[:, 0], turns), -UNLIMITED)
+        ends[:, 1] = np.where(self.told[:-2] < 0.0, np.minimum(ends[:, 1], turns), UNLIMITED)
 
 
 def servos_of(scene: Scene, model: Any, data: Any) -> Servos:
