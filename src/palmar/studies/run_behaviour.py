@@ -1,4 +1,4 @@
-"""A case's behaviour run in the planar world: the trace, the outcome, and what the hand may say of it by itself."""
+"""A case's behaviour run in a world: the trace, the outcome, and what the hand may say of it by itself."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from palmar.worlds.planar.feedback import TICK, feedback_world
 from palmar.worlds.planar.free_feedback import free_feedback_world
 from palmar.worlds.planar.tracker import Tracker
 from palmar.worlds.run import LONGEST, Trace, run
-from palmar.worlds.world import World
+from palmar.worlds.world import World, WorldMaker
 
 CORNERS = 128
 MOST_APPROACHES = 3
@@ -54,6 +54,8 @@ class Circumstances:
     longest: float = LONGEST
     tracker: Tracker | None = None
     """What tracks a free disk; None: for a behaviour that needs it one without errors, as late as it presumes."""
+    make: WorldMaker | None = None
+    """Which world, None: the planar one; it has to be picklable where runs are shared out among processes."""
 
 
 def run_behaviour(
@@ -75,10 +77,14 @@ def run_behaviour(
 
 
 def world_of(case: Case, start: Place, circumstances: Circumstances, massive: bool) -> World:
-    """The planar world of a case: of an object on a table, or of a free disk."""
+    """The world asked for; else the planar one, of an object on a table or of a free disk."""
     tick, sensing, tracker = circumstances.tick, circumstances.sensing, circumstances.tracker
     if tracker is None and case.behaviour.name is BehaviourName.MATCH_VELOCITY:
         tracker = Tracker(case.behaviour.delay)
+    if circumstances.make is not None:
+        if tracker is not None:
+            raise NotCoveredError("only the planar world tracks disks")
+        return circumstances.make(case, start, tick=tick, sensing=sensing, massive=massive)
     if case.support.kind is SupportKind.FREE:
         if massive:
             raise NotCoveredError("massive: an object in free space does not stay where it is touched")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from palmar.models.case import Case
 from palmar.models.motion import Command, Observation
 from palmar.models.outcome import Outcome
+from palmar.worlds.planar.bits import Sensing
 
 
 class World(Protocol):
@@ -46,4 +48,19 @@ class World(Protocol):
 
     def outcome(self) -> Outcome:
         """What has become of the object, were this the end."""
+        ...
+
+
+class WorldMaker(Protocol):
+    """Makes a world of a case, the object's frame at ``start`` (m, rad) in the hand frame, the fingers open and straight.
+
+    ``tick``: seconds between two observations; ``sensing``: faults of the sensors, None as the case says; ``massive``:
+    whether touch does not move the object while only the arm moves. Raises NotCoveredError for what the world does not
+    have.
+    """
+
+    def __call__(
+        self, case: Case, start: tuple[float, float, float], *, tick: float, sensing: Sensing | None, massive: bool
+    ) -> World:
+        """The world."""
         ...

@@ -1,4 +1,4 @@
-"""``palmar behaviours``: what the hand can be told to do, and one run of it against the planar world."""
+"""``palmar behaviours``: what the hand can be told to do, and one run of it in a world."""
 
 from __future__ import annotations
 
@@ -28,6 +28,7 @@ from palmar.faces.cli.behaviour_region import region
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.texts import table, titled
 from palmar.faces.cli.travel import travel
+from palmar.faces.cli.world_option import Physics, maker_of
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case
 from palmar.models.quantity import file_key, unit_of
@@ -82,6 +83,7 @@ def run_one(
     sensors: Layout = None,
     track: Track = None,
     massive: Massive = None,
+    world: Physics = "planar",
     tick: Annotated[Number, Parameter(help="Time between two observations in ms.")] = "5",
     longest: Annotated[Number, Parameter(help="Cut it off after so many seconds.")] = "600",
     missed: Annotated[Number, Parameter(help="Share of touches that a sensor never sees.")] = "0",
@@ -93,7 +95,7 @@ def run_one(
     json: AsJson = False,
     check: Check = False,
 ) -> None:
-    """Run a behaviour in the planar world: outcome, and what was felt and done when."""
+    """Run a behaviour: outcome, and what was felt and done when."""
     from palmar.faces.exports.trace_file import known_ending, write_trace
     from palmar.studies.run_behaviour import Circumstances, run_behaviour
     from palmar.worlds.planar.bits import Sensing
@@ -114,7 +116,7 @@ def run_one(
         progress("planning")
     most = within("--longest", longest, 0.0, 3600.0)
     tracker = tracker_of(track, seed)
-    done = run_behaviour(given, place, Circumstances(seconds, faults, massive, most, tracker))
+    done = run_behaviour(given, place, Circumstances(seconds, faults, massive, most, tracker, maker_of(world)))
     if out is not None:
         write_trace(out, done)
     _tell(name, done, out, json)

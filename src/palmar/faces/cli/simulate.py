@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 from cyclopts import App, Parameter
@@ -12,10 +12,15 @@ from cyclopts import App, Parameter
 from palmar.errors import InputError
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, show
 from palmar.faces.cli.texts import table, titled
+from palmar.faces.cli.world_option import Physics, maker_of
 from palmar.faces.records import simulation_record, starts_record
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
 from palmar.models.shipped import open_case
+
+if TYPE_CHECKING:
+    from palmar.mechanics.pushing.closing import Ends
+    from palmar.studies.simulate import Simulation
 
 app = App(name="simulate")
 
@@ -29,21 +34,19 @@ def simulate(
     start: Annotated[Text, Parameter(help="X_MM,Y_MM[,THETA_DEG]; else the case's start.")] = None,
     velocity: Annotated[Text, Parameter(help="VX,VY in mm/s.")] = None,
     starts: Annotated[Path | None, Parameter(help="A CSV file: x_mm,y_mm[,theta_deg,vx_mm_s,vy_mm_s].")] = None,
-    world: Annotated[Literal["planar"], Parameter(help="The physics.")] = "planar",
+    world: Physics = "planar",
     animate: Annotated[Path | None, Parameter(help="Also write a film: gif, html, or mp4 (needs ffmpeg).")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
     """Carry the object through the closing motion: outcome, final pose, and the events on the way."""
-    from palmar.studies.simulate import simulate_start, simulate_starts
-
     name, given = open_case(case)
     if starts is not None:
         if start is not None or velocity is not None or animate is not None:
             raise InputError("--starts", None, "cannot be combined with --start, --velocity or --animate")
         from palmar.faces.cli.starts_file import read_starts
 
-        ends = simulate_starts(given, read_starts(starts))
+        ends = _simulate_starts(given, read_starts(starts), world)
         caught = [Outcome.from_code(int(code)).caught for code in ends.codes]
         show(titled(name, given, _counts(ends.codes)), starts_record(ends), json)
         answer(all(caught), check)
@@ -52,8 +55,10 @@ def simulate(
         from palmar.faces.plots.film import known_ending
 
         known_ending(animate)
+        if world != "planar":
+            raise InputError("--animate", None, "films are of the world planar")
     begin = _place(given, start, velocity)
-    result = simulate_start(given, begin)
+    result = _simulate_start(given, begin, world)
     if animate is not None:
         from palmar.faces.plots.film import write_film
 
@@ -64,6 +69,22 @@ def simulate(
     ended = f"{result.outcome.value}: the object ends at {place}"
     show(titled(name, given, ended, *([table(rows)] if rows else [])), simulation_record(result), json)
     answer(result.outcome.caught, check)
+
+
+def _simulate_start(case: Case, begin: list[float], world: str) -> Simulation:
+    from palmar.studies.simulate import simulate_start
+    from palmar.studies.simulate_in_world import simulate_start_in
+
+    make = maker_of(world)
+    return simulate_start(case, begin) if make is None else simulate_start_in(case, begin, make)
+
+
+def _simulate_starts(case: Case, starts: np.ndarray, world: str) -> Ends:
+    from palmar.studies.simulate import simulate_starts
+    from palmar.studies.simulate_in_world import simulate_starts_in
+
+    make = maker_of(world)
+    return simulate_starts(case, starts) if make is None else simulate_starts_in(case, starts, make)
 
 
 def _place(case: Case, start: str | None, velocity: str | None) -> list[float]:

@@ -1,0 +1,24 @@
+"""The option ``--world``: which physics."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from palmar.worlds.world import WorldMaker
+
+Physics = Annotated[
+    Literal["planar", "mujoco"],
+    Parameter(help="The physics: this project's kernels, or MuJoCo (the extra mujoco)."),
+]
+
+
+def maker_of(world: str) -> WorldMaker | None:
+    """What makes the world of that name, None for the planar one; raises NotCoveredError where MuJoCo is not installed."""
+    if world == "mujoco":
+        from palmar.worlds.mujoco.world import mujoco_world
+
+        return mujoco_world
+    return None

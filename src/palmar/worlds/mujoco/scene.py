@@ -1,0 +1,230 @@
+"""A case as a MuJoCo scene: the hand on its arm, the object, and the table under it, all in one plane.
+
+Only named pairs of geoms touch: the object with the hand, and fingers of one plane with each other. Surfaces are where
+the case has them: the hand's capsules are thicker than its links by ``rounding`` and the object thinner by as much, so that
+line fingers and a line palm have a body too. A disk is a sphere, so that its contacts are closed forms; a polygon is a ring
+of capsules along its edges, its corners rounded to a radius of twice ``rounding``.
+
+The table's friction is one contact that resists turning too, of a ball at the centre of pressure: the ellipsoidal limit
+surface with c = (largest moment) / (largest force) of the case's pressure. In free space there is no table and no weight;
+contacts are damped springs that take ``CONTACT_TIME``, their damping that of the case's restitution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import hypot, log, pi, sqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.errors import NotCoveredError
+from palmar.mechanics.pushing.hand_pose import MOST_LINKS
+from palmar.mechanics.pushing.resting import slider_of
+from palmar.mechanics.pushing.slider import Slider, slider_body
+from palmar.models.case import Case
+from palmar.models.hand import Fingers
+from palmar.models.objects import Disk
+from palmar.models.support import SupportKind
+
+GRAVITY = 9.81
+STEP, FREE_STEP = 1e-3, 1e-4
+"""Time steps (s) on a table and in free space; docs/results/mujoco_world.md says what halving them changes."""
+CONTACT_TIME = 5e-3
+"""Duration of an impact (s)."""
+LEAST_RESTITUTION = 1e-3
+HEAVY = 1000.0
+"""Inertia of a finger that is not slowed by impacts, and of the arm, in units of the object's."""
+START_TIME = 0.05
+"""In free space a joint's motor brings it to the finger rate in so long (s), if something has stopped it."""
+STRENGTH = 20.0
+"""The motors push a fingertip with so many times the table's friction, at most."""
+LEAST_FRICTION = 0.05
+"""The same for tables of less friction than this."""
+DISK_ROUNDING, POLYGON_ROUNDING = 0.001, 0.005
+"""In reaches of the object."""
+MEETING = 1e-4
+"""Half thickness, in finger lengths, with which line fingers of one plane meet."""
+STIFFNESS = 0.2
+"""Of a joint's servo, in units of inertia / step^2: explicit steps are stable below 1."""
+MOST_CORNERS, THINNEST = 64, 0.1
+"""Corners; least width of a polygon in its reaches."""
+SIDES = (("right", 1.0), ("left", -1.0))
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The case, its object about the centre of pressure, and the time step (s)."""
+
+    case: Case
+    slider: Slider
+    step: float
+
+    @property
+    def free(self) -> bool:
+        """Whether the object is in free space."""
+        return self.case.support.kind is SupportKind.FREE
+
+    @property
+    def reach(self) -> float:
+        """Largest distance (m) of a point of the object from its centre of pressure."""
+        core = self.slider.core
+        return float(np.hypot(core[:, 0], core[:, 1]).max()) + self.slider.rounding
+
+    @property
+    def rounding(self) -> float:
+        """By how much (m) the hand's links are thicker and the object thinner."""
+        if len(self.slider.core) == 1:
+            return DISK_ROUNDING * self.slider.rounding
+        return POLYGON_ROUNDING * self.reach
+
+    @property
+    def torque(self) -> float:
+        """Largest (N m) of a finger's joint."""
+        if self.free:
+            return self.inertia * self.case.hand.finger_rate / START_TIME
+        friction = max(self.case.support.friction, LEAST_FRICTION)
+        return STRENGTH * friction * self.case.object.mass * GRAVITY * self.case.hand.finger_length
+
+    @property
+    def inertia(self) -> float:
+        """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space."""
+        return (HEAVY if self.free else 1.0) * self.case.object.mass * self.case.hand.finger_length**2
+
+    def xml(self) -> str:
+        """The scene in MuJoCo's language."""
+        return f"""<mujoco><compiler angle="radian"/>
+        <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast"
+        gravity="0 0 {0.0 if self.free else -GRAVITY}"/>
+        <default><geom contype="0" conaffinity="0"/><joint solreflimit="{2.0 * self.step} 1" solimplimit="0.99 0.99 0.001"/>
+        <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
+        <worldbody><geom name="floor" type="plane" size="1 1 1"/>{self._hand()}{self._object()}</worldbody>
+        <contact>{"".join(self._pairs())}</contact><actuator>{"".join(self._servos())}</actuator></mujoco>"""
+
+    def meeting(self, model: Any) -> list[int]:
+        """Numbers of the geoms with which fingers of one plane meet."""
+        count = len(self.case.hand.finger_links)
+        return [model.geom(f"meets_{name}_{k + 1}").id for name, _ in SIDES for k in range(count)]
+
+    def _hand(self) -> str:
+        hand, mass = self.case.hand, HEAVY * self.case.object.mass
+        slides = "".join(
+            f'<joint name="arm_{name}" type="slide" axis="{axis}" armature="{mass}"/>'
+            for name, axis in (("x", "1 0 0"), ("y", "0 1 0"))
+        )
+        width = f"{-hand.half_palm} 0 0 {hand.half_palm} 0 0"
+        palm = f'<geom name="palm" type="capsule" size="{self.rounding}" fromto="{width}" mass="0.001"/>'
+        fingers = "".join(self._finger(name, side) for name, side in SIDES)
+        return f'<body name="arm" pos="0 0 {self.reach}">{slides}{palm}{fingers}</body>'
+
+    def _finger(self, name: str, side: float) -> str:
+        """One link in the other, from the base to the tip."""
+        hand, inner = self.case.hand, ""
+        for k in range(len(hand.finger_links) - 1, -1, -1):
+            at = side * (hand.finger_links[k - 1] if k > 0 else hand.half_palm)
+            line = f'type="capsule" fromto="0 0 0 {side * hand.finger_links[k]} 0 0" mass="0.001"'
+            meets = max(hand.half_thickness, MEETING * hand.finger_length)
+            inner = (
+                f'<body pos="{at} 0 0"><joint name="{name}_{k + 1}" axis="0 0 {side}" armature="{self.inertia}"'
+                ' actuatorfrclimited="true" actuatorfrcrange="-1 1" limited="true" range="-1 1"/>'
+                f'<geom name="{name}_{k + 1}" size="{hand.half_thickness + self.rounding}" {line}/>'
+                f'<geom name="meets_{name}_{k + 1}" size="{meets}" {line}/>{inner}</body>'
+            )
+        return inner
+
+    def _object(self) -> str:
+        mass, size = self.case.object.mass, 0.5 * self.reach**2
+        axes = ("1 0 0", "0 1 0") if self.free else ("1 0 0", "0 1 0", "0 0 1")
+        slides = "".join(f'<joint type="slide" axis="{each}"/>' for each in axes)
+        weight = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{mass * size} {mass * size} {mass * size}"/>'
+        ball = f'<geom name="ball" type="sphere" size="{self.reach}"/>'
+        turns = '<joint axis="0 0 1"/>'
+        return (
+            f'<body name="object" pos="0 0 {self.reach}">{weight}{slides}{turns}{ball}{"".join(self._outline())}</body>'
+        )
+
+    def _outline(self) -> Iterator[str]:
+        """The object's geoms ``object_0``, ``object_1``, ..."""
+        core = self.slider.core
+        if len(core) == 1:
+            size = self.slider.rounding - self.rounding
+            yield f'<geom name="object_0" type="sphere" size="{size}" pos="{core[0, 0]} {core[0, 1]} 0"/>'
+            return
+        corners = inset(core, 2.0 * self.rounding)
+        for k, (begin, end) in enumerate(zip(corners, np.roll(corners, -1, axis=0), strict=True)):
+            line = f"{begin[0]} {begin[1]} 0 {end[0]} {end[1]} 0"
+            yield f'<geom name="object_{k}" type="capsule" size="{self.rounding}" fromto="{line}"/>'
+
+    def _pairs(self) -> Iterator[str]:
+        grip, table = self.case.contact.friction, self.case.support.friction
+        turning = table * self.slider.surface.length
+        if not self.free:
+            yield f'<pair geom1="floor" geom2="ball" condim="4" friction="{table} {table} {turning} 0 0"/>'
+        kind = f'condim="3" friction="{grip} {grip} 0 0 0"' if grip > 0.0 else 'condim="1"'
+        count = len(self.case.hand.finger_links)
+        links = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(count)]
+        for link in ("palm", *links):
+            for k in range(len(self.slider.core)):
+                yield f'<pair geom1="{link}" geom2="object_{k}" {kind}{self._bounce()}/>'
+        if self.case.hand.fingers is Fingers.COLLIDING:
+            for one in links[:count]:
+                for other in links[count:]:
+                    yield f'<pair geom1="meets_{one}" geom2="meets_{other}" condim="1"/>'
+
+    def _bounce(self) -> str:
+        """Stiffness and damping of contacts that give the case's restitution, per effective mass."""
+        if not self.free:
+            return ""
+        e = self.case.contact.restitution
+        loss = -log(max(e, LEAST_RESTITUTION))
+        ratio = loss / hypot(pi, loss)
+        stiff = (pi / CONTACT_TIME) ** 2 / (1.0 - ratio * ratio)
+        return f' solref="{-stiff} {-2.0 * ratio * sqrt(stiff)}"'
+
+    def _servos(self) -> Iterator[str]:
+        joints = [
+            (f"{name}_{k + 1}", self.inertia) for name, _ in SIDES for k in range(len(self.case.hand.finger_links))
+        ]
+        arm = HEAVY * self.case.object.mass
+        for joint, inertia in (*joints, ("arm_x", arm), ("arm_y", arm)):
+            stiff = STIFFNESS * inertia / self.step**2
+            yield f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>'
+            yield f'<velocity joint="{joint}" kv="{2.0 * (stiff * inertia) ** 0.5}"/>'
+
+
+def scene_of(case: Case, step: float | None = None) -> Scene:
+    """The scene of a case; raises NotCoveredError for what it does not have."""
+    hand = case.hand
+    if case.ranges:
+        raise NotCoveredError("a simulation takes plain numbers, not ranges")
+    if len(hand.finger_links) > MOST_LINKS:
+        raise NotCoveredError(f"a simulated finger has at most {MOST_LINKS} links, not {len(hand.finger_links)}")
+    if case.support.wall is not None:
+        raise NotCoveredError("support.wall_mm: the world mujoco has no wall")
+    free = case.support.kind is SupportKind.FREE
+    if free and not isinstance(case.object, Disk):
+        raise NotCoveredError('object.shape = "polygon": in free space only disks are simulated')
+    if free and hand.finger_mass is not None:
+        raise NotCoveredError("hand.finger_mass_kg: the world mujoco has heavy fingers only")
+    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP))
+    corners = len(scene.slider.core)
+    if corners > MOST_CORNERS:
+        raise NotCoveredError(f"the world mujoco has polygons of up to {MOST_CORNERS} corners, not {corners}")
+    if corners > 1 and slider_body(scene.slider, 0.0).width < THINNEST * scene.reach:
+        raise NotCoveredError("the world mujoco has no polygons thinner than a tenth of their reach")
+    return scene
+
+
+def inset(corners: Floats, by: float) -> Floats:
+    """The corners (V, 2) of a convex polygon whose edges are moved inwards by so much (m)."""
+    along = np.roll(corners, -1, axis=0) - corners
+    along /= np.hypot(along[:, 0], along[:, 1])[:, None]
+    before = np.roll(along, 1, axis=0)
+    inward = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    cross = before[:, 0] * along[:, 1] - before[:, 1] * along[:, 0]
+    slant = (1.0 - np.einsum("ij,ij->i", before, along)) / cross
+    found: Floats = corners + by * (inward + slant[:, None] * along)
+    return found
