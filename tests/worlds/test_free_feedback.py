@@ -108,7 +108,17 @@ def test_an_arm_in_motion_is_a_disk_in_motion() -> None:
         seen = np.array(moving.pose[:2]) - moving.observe().arm[:2]
         assert seen == pytest.approx(still.pose[:2], abs=1e-9)
         assert moving.observe().arm[:2] == pytest.approx(4.0 * u, abs=1e-12)
-        assert moving.outcome() is still.outcome()
+        assert moving.outcome().caught is still.outcome().caught
+
+
+def test_what_becomes_of_a_disk_is_asked_of_an_arm_that_stops() -> None:
+    """A palm on its way to a disk at rest will not touch it if it stops; one that a disk flies to is touched."""
+    for velocity, expected in ((0.1, Outcome.MISSED), (0.0, Outcome.MISSED)):
+        world = world_of(case_of(), 0.0, 0.2)
+        world.act(Command(REST, REST, (0.0, velocity)), 0.1)
+        assert world.outcome() is expected
+    coming = world_of(case_of(), 0.0, 0.2, 0.0, -0.1)
+    assert coming.outcome() is Outcome.ESCAPED
 
 
 def test_an_arm_that_stops_leaves_the_disk_its_velocity() -> None:

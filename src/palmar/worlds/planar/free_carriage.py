@@ -153,12 +153,14 @@ class FreeCarriage:
         return found
 
     def judged(self, angles: Both) -> int:
-        """The outcome's code, were this the end: the fingers rest, the arm keeps its velocity."""
+        """The outcome's code, were this the end: fingers and arm stop."""
         hand = self.hand
         rest = programmed_hand(hand.half_palm, hand.finger_links, self.radius, hand.half_thickness, angles, [])
         at = bench(rest)
         at.state[:] = self.at.state
         at.state[MODE] = FLIGHT
+        if not self.pressed:
+            at.state[VX], at.state[VY] = self.track[2:]
         return ends_at_rest(
             rest, self.law, at, self.restitution, EVENTS_TO_THE_END, self.hand.finger_rate, self.pressed
         )

@@ -95,7 +95,7 @@ class FreeFeedbackWorld:
         return span
 
     def outcome(self) -> Outcome:
-        """What has become of the disk, were this the end: the fingers stay, the arm keeps its velocity."""
+        """What has become of the disk, were this the end: the fingers stay, the arm stops."""
         if self.broken:
             return Outcome.INVALID if self.carriage.invalid else Outcome.UNDECIDED
         return Outcome.from_code(self.carriage.judged(self.angles))
