@@ -24,7 +24,7 @@ from palmar.studies.simulate_in_world import simulate_starts_in
 from palmar.worlds.mujoco.world import mujoco_world
 from palmar.worlds.planar.feedback import feedback_world
 
-RATE = 5.0
+RATE = 8.0
 """Closing rate (deg/s) on a table: slow enough for inertia to matter little."""
 BED = f"[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\nfinger_rate_deg_s = {RATE}\n"
 THICK = BED + 'finger_thickness_mm = 25\nfingers = "colliding"\n'
@@ -76,7 +76,9 @@ def closing(name: str, number: int, seed: int) -> None:
         flush=True,
     )
     for k in differ:
-        print(f"    {np.round(starts[k], 4)} planar {ours[k].value}, mujoco {theirs[k].value}: {boundary(case, starts[k])}")
+        print(
+            f"    {np.round(starts[k], 4)} planar {ours[k].value}, mujoco {theirs[k].value}: {boundary(case, starts[k])}"
+        )
 
 
 def boundary(case: Case, start: np.ndarray) -> str:
