@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import hypot
 
 import numpy as np
@@ -114,10 +115,7 @@ def test_the_restitution_is_the_one_asked_for(restitution: float, error: float, 
 
 
 def closed(case: Case, step: float) -> np.ndarray:
-    def make(case: Case, start: tuple[float, float, float], **circumstances: object) -> MujocoWorld:
-        return mujoco_world(case, start, step=step, **circumstances)
-
-    found = simulate_start_in(case, (-0.1483, 0.1066), make)
+    found = simulate_start_in(case, (-0.1483, 0.1066), partial(mujoco_world, step=step))
     assert found.outcome is Outcome.FRICTIONAL
     return np.array(found.pose)
 
