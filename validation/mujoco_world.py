@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import sys
 import time
+from functools import partial
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from palmar.studies.simulate_in_world import simulate_starts_in
 from palmar.worlds.mujoco.world import mujoco_world
 from palmar.worlds.planar.feedback import feedback_world
 
-RATE = 5.0
+RATE = 8.0
 """Closing rate (deg/s) on a table: slow enough for inertia to matter little."""
 BED = f"[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\nfinger_rate_deg_s = {RATE}\n"
 THICK = BED + 'finger_thickness_mm = 25\nfingers = "colliding"\n'
@@ -76,7 +77,9 @@ def closing(name: str, number: int, seed: int) -> None:
         flush=True,
     )
     for k in differ:
-        print(f"    {np.round(starts[k], 4)} planar {ours[k].value}, mujoco {theirs[k].value}: {boundary(case, starts[k])}")
+        print(
+            f"    {np.round(starts[k], 4)} planar {ours[k].value}, mujoco {theirs[k].value}: {boundary(case, starts[k])}"
+        )
 
 
 def boundary(case: Case, start: np.ndarray) -> str:
@@ -119,6 +122,12 @@ def behaviours(seed: int) -> None:
             )
 
 
+def ends_at(step: float, case: Case, starts: np.ndarray) -> np.ndarray:
+    """(N, 4): outcome code and final pose with a time step (s)."""
+    found = simulate_starts_in(case, starts, partial(mujoco_world, step=step))
+    return np.column_stack([found.codes, found.poses])
+
+
 def steps(number: int, seed: int) -> None:
     """How much ends change with the time step."""
     for name in ("disk, line fingers", "free disk, line fingers, restitution 1"):
@@ -126,15 +135,8 @@ def steps(number: int, seed: int) -> None:
         starts = starts_for(case, number, seed)
         free = "free" in name
 
-        def ends_at(step: float) -> np.ndarray:
-            def make(case, start, *, tick, sensing, massive):  # type: ignore[no-untyped-def]
-                return mujoco_world(case, start, tick=tick, sensing=sensing, massive=massive, step=step)
-
-            found = simulate_starts_in(case, starts, make)
-            return np.column_stack([found.codes, found.poses])
-
         sizes = (4e-4, 2e-4, 1e-4, 5e-5) if free else (4e-3, 2e-3, 1e-3, 5e-4)
-        ends = [ends_at(step) for step in sizes]
+        ends = [ends_at(step, case, starts) for step in sizes]
         caught = [Outcome.from_code(int(code)).caught for code in ends[-1][:, 0]]
         for step, found in zip(sizes[:-1], ends[:-1], strict=True):
             apart = np.hypot(*(found - ends[-1])[caught, 1:3].T)
@@ -147,6 +149,7 @@ def steps(number: int, seed: int) -> None:
 
 
 def main(words: list[str]) -> None:
+    """Behaviours, closing, time steps."""
     number, seed = (int(words[0]) if words else 200), (int(words[1]) if len(words) > 1 else 20261126)
     behaviours(seed)
     for name in CASES:

@@ -23,7 +23,7 @@ from palmar.worlds.run import Ended, Trace, run
 from palmar.worlds.world import WorldMaker
 
 Floats = NDArray[np.float64]
-TICK = 0.005
+TICK = 0.01
 """Time (s) between two observations, to which events are known."""
 _KINDS = {"fires": "touch", "quiet": "leave", "held_up": "stall"}
 

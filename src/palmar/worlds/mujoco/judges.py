@@ -26,7 +26,7 @@ from palmar.worlds.planar.carriage import Carriage, Touch
 
 Both = tuple[Joints, Joints]
 Place = tuple[float, float, float]
-NEAR = 5e-4
+NEAR = 1e-3
 """In finger lengths; a polygon's corners, which the scene rounds, may be farther away by twice the scene's rounding."""
 CONE_SLACK = 1.0 / STRENGTH + 0.01
 """A motor that is held up has pushed with STRENGTH table frictions, which lean a cone by about the inverse."""

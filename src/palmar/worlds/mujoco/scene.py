@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import hypot, log, pi, sqrt
+from math import atan2, exp, log, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -30,11 +30,12 @@ from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
 
 GRAVITY = 9.81
-STEP, FREE_STEP = 1e-3, 1e-4
+STEP, FREE_STEP = 1e-3, 5e-5
 """Time steps (s) on a table and in free space; docs/results/mujoco_world.md says what halving them changes."""
 CONTACT_TIME = 5e-3
 """Duration of an impact (s)."""
-LEAST_RESTITUTION = 1e-3
+MOST_DAMPED = 5.0
+"""Largest damping ratio of a contact: restitution 0.01; less than that is not told from it."""
 HEAVY = 1000.0
 """Inertia of a finger that is not slowed by impacts, and of the arm, in units of the object's."""
 START_TIME = 0.05
@@ -178,11 +179,8 @@ class Scene:
         """Stiffness and damping of contacts that give the case's restitution, per effective mass."""
         if not self.free:
             return ""
-        e = self.case.contact.restitution
-        loss = -log(max(e, LEAST_RESTITUTION))
-        ratio = loss / hypot(pi, loss)
-        stiff = (pi / CONTACT_TIME) ** 2 / (1.0 - ratio * ratio)
-        return f' solref="{-stiff} {-2.0 * ratio * sqrt(stiff)}"'
+        stiff = (pi / CONTACT_TIME) ** 2
+        return f' solref="{-stiff} {-2.0 * damping_ratio(self.case.contact.restitution) * sqrt(stiff)}"'
 
     def _servos(self) -> Iterator[str]:
         joints = [
@@ -216,6 +214,23 @@ def scene_of(case: Case, step: float | None = None) -> Scene:
     if corners > 1 and slider_body(scene.slider, 0.0).width < THINNEST * scene.reach:
         raise NotCoveredError("the world mujoco has no polygons thinner than a tenth of their reach")
     return scene
+
+
+def damping_ratio(restitution: float) -> float:
+    """Of a damped spring that never pulls and returns that much of the speed (Schwager and Poeschel 2007)."""
+
+    def returned(ratio: float) -> float:
+        if ratio < 1.0:
+            rest = sqrt(1.0 - ratio * ratio)
+            return exp(-ratio / rest * atan2(2.0 * ratio * rest, ratio * ratio - rest * rest))
+        rest = sqrt(ratio * ratio - 1.0)
+        return exp(-ratio / rest * log((ratio + rest) / (ratio - rest))) if rest > 0.0 else exp(-2.0)
+
+    low, high = 0.0, MOST_DAMPED
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if returned(middle) > restitution else (low, middle)
+    return low
 
 
 def inset(corners: Floats, by: float) -> Floats:

@@ -30,7 +30,7 @@ from palmar.worlds.planar.feedback import NO_TIME, TICK
 from palmar.worlds.planar.finger_pair import SIDES
 from palmar.worlds.planar.finger_travel import FingerTravel, travel_of
 
-LOOK = 0.005
+LOOK = 0.01
 """Longest time (s) between two looks at whether a finger is held up."""
 STALL_TURN, STALL_SHARE = 0.02, 0.1
 """A finger is held up once it has turned by less than this share of so much (rad) that it was told to turn."""

@@ -1,0 +1,194 @@
+"""The MuJoCo world ends as the planar one, feels as it does, and runs the same behaviours."""
+
+from __future__ import annotations
+
+from math import asin, atan2, hypot, radians, sqrt
+
+import numpy as np
+import pytest
+
+from palmar.errors import NotCoveredError
+from palmar.models.behaviour import BehaviourName
+from palmar.models.case import Case
+from palmar.models.case_file import parse_case, with_layout
+from palmar.models.motion import Command
+from palmar.models.outcome import Outcome
+from palmar.studies.run_behaviour import Circumstances, run_behaviour
+from palmar.studies.simulate import simulate_starts
+from palmar.worlds.planar.bits import Sensing
+from palmar.worlds.planar.feedback import feedback_world
+
+pytest.importorskip("mujoco", reason="needs the extra palmar[mujoco]")
+
+from palmar.studies.simulate_in_world import simulate_starts_in
+from palmar.worlds.mujoco.world import mujoco_world
+
+HAND = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\nfinger_rate_deg_s = 10\n"
+THICK = HAND + 'finger_thickness_mm = 25\nfingers = "colliding"\n'
+DISK = "[object]\nradius_mm = 38\n"
+BOX = '[object]\nshape = "polygon"\nvertices_mm = [[-30, -20], [30, -20], [30, 20], [-30, 20]]\n'
+FREE = '[contact]\nfriction = 0\n[support]\nkind = "free"\n'
+REST = (0.0, 0.0)
+START = (0.01, 0.15, 0.0)
+
+
+def starts(number: int, seed: int) -> np.ndarray:
+    return np.random.default_rng(seed).uniform([-0.25, 0.045, -3.0], [0.25, 0.27, 3.0], (number, 3))
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "allowed"),
+    [
+        (HAND + DISK, 12, 5e-4),
+        (THICK + DISK, 6, 3e-3),
+        (HAND + BOX, 6, 3e-3),
+        (HAND.replace("= 10", "= 40") + DISK + FREE, 6, 2e-3),
+    ],
+    ids=["disk", "thick", "box", "free"],
+)
+def test_closing_ends_as_in_the_planar_world(text: str, number: int, allowed: float) -> None:
+    case = parse_case(text)
+    rows = starts(number, 3)
+    planar, other = simulate_starts(case, rows), simulate_starts_in(case, rows, mujoco_world)
+    caught = [Outcome.from_code(int(code)).caught for code in planar.codes]
+    assert [Outcome.from_code(int(code)).caught for code in other.codes] == caught
+    assert sum(caught) > 1
+    apart = np.hypot(*(planar.poses - other.poses)[caught, :2].T)
+    assert float(np.median(apart)) < allowed
+
+
+def behaving(name: BehaviourName) -> Case:
+    move = f'[behaviour]\nname = "{name.value}"\nadvance_mm = 150\nspeed_mm_s = 50\n'
+    return parse_case(HAND + DISK + '[sensors]\nlayout = "distributed"\n' + move)
+
+
+@pytest.mark.parametrize("name", [each for each in BehaviourName if each is not BehaviourName.FOLLOW_POLICY])
+def test_a_behaviour_ends_alike_in_both_worlds(name: BehaviourName) -> None:
+    case = behaving(name)
+    for x, y in np.random.default_rng(20261126).uniform([-0.15, 0.06], [0.15, 0.28], (2, 2)):
+        planar, other = (
+            run_behaviour(case, (float(x), float(y), 0.0), Circumstances(tick=0.02, make=make))
+            for make in (feedback_world, mujoco_world)
+        )
+        assert other.trace.outcome is planar.trace.outcome
+        assert other.trace.ended is planar.trace.ended
+        whys = [tuple(dict.fromkeys(row.why for row in each.trace.rows)) for each in (planar, other)]
+        assert (
+            whys[0] == whys[1] or name is BehaviourName.JOINTED
+        )  # which of its fingers feels first may be a close thing
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_the_stretch_that_a_finger_touches_with_fires(side: float) -> None:
+    """Against the closed form: a line finger turning about (D, 0) meets the disk at r = sqrt(d^2 - R^2)."""
+    case = with_layout(parse_case(HAND + DISK), "full", "test")
+    stretches = case.sensors.stretches(case.hand)
+    x, y, radius, rate = 0.18, 0.09, 0.038, case.hand.finger_rate
+    d = hypot(x - 0.06, y)
+    time, along = (atan2(y, x - 0.06) - asin(radius / d)) / rate, sqrt(d * d - radius * radius)
+    world = mujoco_world(case, (side * x, y, 0.0))
+    while not any(world.observe().bits):
+        world.act(Command((rate, 0.0), (rate, 0.0)), world.tick)
+    assert -0.01 <= world.time - time <= 0.01
+    link, begin = (1, 0.0) if along < 0.137 else (2, 0.137)
+    (firing,) = [stretches[k] for k, bit in enumerate(world.observe().bits) if bit]
+    assert firing.body == f"{'right' if side > 0.0 else 'left'}_{link}"
+    assert firing.begin - 1e-3 <= along - begin <= firing.end + 1e-3
+
+
+@pytest.mark.parametrize("displacement", [0.0, 0.004])
+def test_the_palm_feels_once_the_object_has_moved(displacement: float) -> None:
+    case = with_layout(parse_case(HAND + DISK), "palm", "test")
+    world = mujoco_world(case, (0.0, 0.1, 0.0), sensing=Sensing(displacement))
+    while not world.observe().bits[0]:
+        world.act(Command(REST, REST, (0.0, 0.05)), world.tick)
+    assert world.time == pytest.approx((0.062 + displacement) / 0.05, abs=0.02)
+    assert world.pose[1] - 0.1 == pytest.approx(displacement, abs=5e-4)
+
+
+def test_arm_and_joints_go_as_far_as_they_are_told() -> None:
+    world = mujoco_world(parse_case(HAND + DISK), (0.0, 0.6, 0.0))
+    held = world.act(Command((0.5, 0.2), (0.3, -0.1), (0.04, -0.02)), 1.0)
+    world.act(Command(REST, REST), 0.1)
+    seen = world.observe()
+    assert held == 1.0 and seen.time == pytest.approx(1.1)
+    assert seen.arm == pytest.approx((0.04, -0.02, 0.0), abs=1e-6)
+    assert (*seen.right, *seen.left) == pytest.approx((0.5, 0.2, 0.3, -0.1), abs=1e-5)
+    assert world.act(Command(REST, REST, (0.0, 0.1), longest=0.0123), 0.1) == 0.0123
+    world.act(Command(REST, REST), 0.1)
+    assert world.observe().arm[1] == pytest.approx(-0.02 + 0.00123, abs=1e-6)
+    assert world.settled
+
+
+def test_fingers_stop_at_limits_on_the_palm_and_where_they_meet() -> None:
+    limited = parse_case(HAND + "joint_limits_deg = [[0, 120], [-10, 30]]\n" + DISK)
+    world = mujoco_world(limited, (0.0, 0.6, 0.0))
+    for _ in range(40):
+        world.act(Command((1.0, 1.0), (1.0, -1.0)), 0.1)
+    assert np.degrees(world.servos.angles) == pytest.approx(np.array([[120.0, 30.0], [120.0, -10.0]]), abs=0.02)
+    assert world.observe().stalled == (True, True)
+    for text, met in ((HAND, 180.0), (THICK, 101.24)):
+        world = mujoco_world(parse_case(text + DISK), (0.0, 0.6, 0.0))
+        while not all(world.observe().stalled):
+            world.act(Command((radians(40.0), 0.0), (radians(40.0), 0.0)), 0.02)
+        assert np.degrees([each[0] for each in world.servos.angles]) == pytest.approx([met, met], abs=0.1)
+        assert world.outcome() is Outcome.MISSED
+
+
+def test_a_finger_told_to_turn_is_held_up_and_not_driven_back() -> None:
+    """Each finger presses in turn on a disk that the other one, held by its gear, keeps; then the arm takes it along."""
+    case = parse_case(HAND + DISK + "[contact]\nfriction = 0.7\n")
+    world = mujoco_world(case, (0.0, 0.1, 0.0))
+    rate = case.hand.finger_rate
+    while not all(world.observe().stalled):
+        world.act(Command((rate, 0.0), (rate, 0.0)), 0.02)
+    held = np.array(world.servos.angles)
+    assert world.outcome() is Outcome.FRICTIONAL
+    for command in (Command((rate, 0.0), REST), Command(REST, (rate, 0.0))):
+        world.act(command, 0.5)
+        assert np.abs(np.array(world.servos.angles) - held).max() < 0.02
+    carried = np.array(world.pose)
+    world.act(Command(REST, REST, (0.1, -0.05)), 1.0)
+    assert np.array(world.pose)[:2] - carried[:2] == pytest.approx((0.1, -0.05), abs=1e-3)
+    assert world.outcome() is Outcome.FRICTIONAL
+    world.act(Command((-rate, 0.0), (-rate, 0.0)), 1.0)
+    assert not world.outcome().caught
+
+
+def test_a_load_does_not_drive_a_joint_back() -> None:
+    world = mujoco_world(parse_case(HAND + DISK), (0.0, 0.6, 0.0))
+    closing = Command((0.3, 0.0), (0.3, 0.0))
+    world.act(closing, 0.5)
+    world.data.qfrc_applied[2] = -2.0 * world.servos.torque
+    world.act(closing, 0.5)
+    right, left = (each[0] for each in world.servos.angles)
+    assert right == pytest.approx(0.15, abs=5e-3)
+    assert left == pytest.approx(0.3, abs=5e-3)
+    assert world.observe().stalled == (True, False)
+
+
+def test_starts_that_overlap_the_hand_are_invalid() -> None:
+    world = mujoco_world(parse_case(HAND + DISK), (0.1, 0.037, 0.0))
+    assert world.broken and world.outcome() is Outcome.INVALID
+    assert world.pose == pytest.approx((0.1, 0.037, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (HAND + DISK + "[support]\nwall_mm = 300\n", "no wall"),
+        (HAND + BOX + '[support]\nkind = "free"\n', "only disks"),
+        (HAND + "finger_mass_kg = 0.2\n" + DISK + FREE, "heavy fingers"),
+        (HAND.replace("137, 107", "60, 60, 60, 60") + DISK, "at most 3 links"),
+        (HAND + DISK + '[contact]\nfriction = "0.2..0.8"\n', "ranges"),
+        (HAND + BOX.replace("20]", "1]"), "thinner"),
+    ],
+)
+def test_what_is_not_covered_is_said_in_a_line(text: str, words: str) -> None:
+    with pytest.raises(NotCoveredError, match=words):
+        mujoco_world(parse_case(text), START)
+
+
+def test_objects_that_stay_are_refused() -> None:
+    with pytest.raises(NotCoveredError, match="--no-massive"):
+        mujoco_world(parse_case(HAND + DISK), START, massive=True)
