@@ -61,7 +61,7 @@ def test_structural_closure_is_friction_none() -> None:
 @pytest.mark.parametrize(
     ("behaviour", "said"),
     [
-        (Behaviour(name=BehaviourName.SCOOP), "regions are those of"),
+        (Behaviour(name=BehaviourName.SCOOP), "palmar behaviours region has"),
         (
             Behaviour(name=BehaviourName.MOVE_WHILE_CLOSING, advance=0.01),
             "until the fingers end: advance_mm of at least",

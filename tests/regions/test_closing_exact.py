@@ -18,6 +18,7 @@ from palmar.models.outcome import Outcome
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
 from palmar.regions.closing_exact import exact_sets
+from palmar.regions.exact import exact_region
 from palmar.regions.region import Model
 
 EXAMPLE = open_case("chapter3_example")[1]
@@ -109,4 +110,4 @@ def test_an_empty_region_has_a_reason(radius, closure, said):
 
 def test_what_no_method_covers_is_refused():
     with pytest.raises(NotCoveredError, match="free"):
-        build_region(open_case("testbed_free")[1])
+        exact_region(open_case("testbed_free")[1])

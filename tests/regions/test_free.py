@@ -68,7 +68,6 @@ def test_a_disk_that_is_not_held_gives_an_empty_region_with_the_reason():
     ("name", "model", "said"),
     [
         ("testbed_table", Model.CORRECTED, 'support.kind = "table"'),
-        ("testbed_free", Model.EXACT, 'support.kind = "free"'),
         ("adaptive_hand", Model.CORRECTED, 'support.kind = "table"'),
     ],
 )
