@@ -83,3 +83,15 @@ def test_without_a_tracker_it_ends_and_says_so() -> None:
     seen = Observation(0.0, (0.0,), (0.0,))
     _, command = REFLEX.step(REFLEX.begin(seen), seen)
     assert command.stop and "no tracker" in command.why
+
+
+def test_the_way_to_brake_is_part_of_the_reach() -> None:
+    """With just the reach that its whole motion takes it is done, with 1 mm less it is not begun."""
+    limits, disk = ArmLimits(0.4, 0.3, 9.0), (0.2, 0.0)
+    rows = flown(replace(REFLEX, arm=limits), (0.0, 0.12), disk)
+    taken = max(hypot(*seen.arm[:2]) for seen, _ in rows)
+    last = next(seen.arm[0] for seen, command in rows if command.why == "shut: brake")
+    assert taken - last == pytest.approx(0.2**2 / 0.6, abs=0.005)
+    for room, begun in ((0.005, True), (-0.001, False)):
+        again = flown(replace(REFLEX, arm=replace(limits, reach=taken + room)), (0.0, 0.12), disk)
+        assert (len(again) > 2) is begun

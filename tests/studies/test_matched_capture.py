@@ -58,6 +58,15 @@ def test_the_interval_holds_the_drawn_chance_and_shrinks() -> None:
     assert found.low - 0.03 < chance < found.high + 0.03
 
 
+def test_a_wrong_velocity_shifts_the_disk_the_way_it_then_drifts() -> None:
+    """Over an age of 2 s: place and drift err to the same side, which costs more than if they made up for one another."""
+    case, wrong = case_of((0.0, 0.0), delay=2.0), Tracker(2.0, 0.0, 0.025, seed=5)
+    chance = drawn_capture(case, reflex_of(case), wrong, 20_000)
+    with ThreadPoolExecutor(1) as executor:
+        found = matched_capture(case, wrong, 80, executor)
+    assert found.low < chance < found.high
+
+
 def test_a_disk_too_fast_for_the_arm_is_never_caught_and_the_reason_is_told() -> None:
     with ThreadPoolExecutor(1) as executor:
         found = matched_capture(case_of((0.5, 0.0)), Tracker(0.2, 0.001, 0.001), 8, executor)
