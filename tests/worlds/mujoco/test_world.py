@@ -189,6 +189,18 @@ def test_what_is_not_covered_is_said_in_a_line(text: str, words: str) -> None:
         mujoco_world(parse_case(text), START)
 
 
-def test_objects_that_stay_are_refused() -> None:
-    with pytest.raises(NotCoveredError, match="--no-massive"):
-        mujoco_world(parse_case(HAND + DISK), START, massive=True)
+def test_a_massive_object_stops_the_arm_and_lets_it_go() -> None:
+    case = with_layout(parse_case(HAND + DISK), "palm", "test")
+    world = mujoco_world(case, (0.01, 0.1, 0.0), massive=True)
+    for _ in range(160):
+        world.act(Command(REST, REST, (0.0, 0.1)), world.tick)
+    assert world.pose == pytest.approx((0.01, 0.1, 0.0), abs=1e-5)
+    assert world.observe().arm[1] == pytest.approx(0.062, abs=3e-4)
+    assert world.observe().bits == (True,)
+    world.act(Command(REST, REST, (0.1, -0.1)), 0.1)
+    assert world.observe().arm[:2] == pytest.approx((0.01, 0.052), abs=6e-4)
+    assert world.observe().bits == (False,)
+    while not all(world.observe().stalled):
+        world.act(Command((0.2, 0.0), (0.2, 0.0)), 0.02)
+    assert world.pose[0] == pytest.approx(0.01, abs=1e-3)
+    assert world.outcome().caught

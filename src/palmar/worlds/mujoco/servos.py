@@ -71,6 +71,12 @@ class Servos:
         self.model.jnt_range[2 : 2 + 2 * self.joints] = -UNLIMITED, UNLIMITED
         self._lock_behind()
 
+    def halt_arm(self) -> None:
+        """Stop the arm where it is."""
+        self.data.ctrl[-4:], self.data.qvel[:2] = 0.0, 0.0
+        self.data.act[-2:] = self.data.qpos[:2]
+        self.told[-2:] = 0.0
+
     def go(self, seconds: float, step: float) -> None:
         """Let the scene go on; set points do not run away from joints that are held up."""
         number = max(1, int(np.ceil(seconds / step - 1e-6)))

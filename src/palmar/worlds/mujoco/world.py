@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.slider import moved_poses
 from palmar.models.case import Case
 from palmar.models.motion import Command, Joints, Observation
@@ -53,6 +52,7 @@ class MujocoWorld:
     judge: Judge
     travel: FingerTravel
     bits: Bits
+    massive: bool
     tick: float
     invalid: bool = False
     time: float = 0.0
@@ -108,7 +108,7 @@ class MujocoWorld:
         if self.over:
             self.held, self.still = [True, True], True
         self.time += span
-        self.feel(span)
+        self.feel(span, not self._slides_by(command) and not any(self.gripped))
         return span
 
     def outcome(self) -> Outcome:
@@ -118,11 +118,11 @@ class MujocoWorld:
         self._look()
         return self.judge.outcome(self.servos.angles, (self.gripped[0], self.gripped[1]), self.touched)
 
-    def feel(self, seconds: float) -> None:
-        """Read the sensors, ``seconds`` after the last reading."""
+    def feel(self, seconds: float, displaces: bool) -> None:
+        """Read the sensors, ``seconds`` after the last reading; ``displaces``: touch moves the object."""
         touches = self._touches()
         self.touched = self.touched or any(each.link > 0 for each in touches) or self._struck()
-        self.firing = self.bits.read(touches, self._place()[:2], seconds, not any(self.gripped))
+        self.firing = self.bits.read(touches, self._place()[:2], seconds, displaces)
 
     def _place(self) -> Place:
         x, y = self.data.qpos[self.first : self.first + 2].tolist()
@@ -159,13 +159,41 @@ class MujocoWorld:
         span = min([left, *palm, *(self.travel.to_joint_end(angles[k], rates[k]) for k in SIDES)])
         span = max(span, 0.01 * self.scene.step)
         self.servos.tell(rates, command.velocity)
-        self.servos.go(span, self.scene.step)
+        if self._slides_by(command):
+            span = min(span, self.scene.step)
+            self._go_by(command.velocity, span)
+        else:
+            self.servos.go(span, self.scene.step)
         for side in SIDES:
             self._notice_stall(side, angles[side], rates[side], span)
             if any(rates[side]) and palm[side] <= span:
                 self.held[side] = True
         self.still = bool(np.abs(self.data.qvel).max() < STILL)
         return span
+
+    def _slides_by(self, command: Command) -> bool:
+        """Whether the arm moves by an object that stays."""
+        return self.massive and not command.moves_fingers
+
+    def _go_by(self, velocity: tuple[float, float], span: float) -> None:
+        """Only the arm moves, by an object that stays: for ``span`` (s), a step at most, unless that would push it."""
+        place, speed = self.data.qpos[self.first :].copy(), self.data.qvel[self.first :].copy()
+        mujoco.mj_fwdPosition(self.model, self.data)
+        if self._pushes(velocity):
+            self.servos.halt_arm()
+        self.servos.go(span, self.scene.step)
+        self.data.qpos[self.first :], self.data.qvel[self.first :] = place, speed
+
+    def _pushes(self, velocity: tuple[float, float]) -> bool:
+        """Whether the arm, with this velocity, would push the object."""
+        contacts, bodies = self.data.contact, self.model.geom_bodyid
+        thing = bodies[self.model.geom("object_0").id]
+        for (one, other), frame in zip(contacts.geom, contacts.frame, strict=True):
+            if bodies[one] and bodies[other] and thing in (bodies[one], bodies[other]):
+                way = 1.0 if bodies[other] == thing else -1.0
+                if way * (frame[0] * velocity[0] + frame[1] * velocity[1]) > 0.0:
+                    return True
+        return False
 
     def _rates(self, side: int, angles: Joints) -> Joints:
         """The rates of a finger that is told to move, without what is held up; notes if that is all of it."""
@@ -207,8 +235,6 @@ def mujoco_world(
     The object has the velocity of the case's start. ``step`` (s): of the simulation, else as the scene has it. Raises
     NotCoveredError for what this world does not have.
     """
-    if massive:
-        raise NotCoveredError("the world mujoco has no objects that stay where they are touched: --no-massive")
     scene, hand = scene_of(case, step), case.hand
     model = mujoco.MjModel.from_xml_string(scene.xml())
     data = mujoco.MjData(model)
@@ -219,11 +245,11 @@ def mujoco_world(
     judge = judge_of(scene, (x, y, theta))
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing
     bits = bits_of(hand, case.sensors.stretches(hand), faults)
-    world = MujocoWorld(scene, model, data, servos, judge, travel_of(hand), bits, tick)
+    world = MujocoWorld(scene, model, data, servos, judge, travel_of(hand), bits, massive, tick)
     world.firing = (False,) * len(bits.rows)
     world.invalid = judge.overlaps(world.servos.angles)
     data.qpos[world.first : world.first + 2], data.qpos[-1] = (x, y), theta
     data.qvel[world.first : world.first + 2] = case.start.velocity
     if not world.invalid:
-        world.feel(0.0)
+        world.feel(0.0, not massive)
     return world
