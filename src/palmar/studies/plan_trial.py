@@ -195,7 +195,8 @@ class Run:
             self.worlds[opening] = (free_world if free else stepping_world)(self.case.model_copy(update={"hand": hand}))
         if len(seen) == 0:
             return np.zeros(0, np.int8)
-        codes = self.worlds[opening].ends(np.column_stack([seen, np.zeros((len(seen), 3))])).codes.copy()
+        at_rest = 3 if self.case.support.kind is SupportKind.FREE else 1
+        codes = self.worlds[opening].ends(np.column_stack([seen, np.zeros((len(seen), at_rest))])).codes.copy()
         below = float(np.ptp(seen[:, 1])) + 4.0 * self.case.hand.finger_length
         came = go_until_touched(hand, (), opening, self.case.object.radius, seen + np.array([0.0, below]), below)
         codes[came.sensors != NOTHING] = Outcome.INVALID.code
