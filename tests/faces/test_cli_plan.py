@@ -80,7 +80,6 @@ def test_the_hardest_branch_is_drawn(capsys, tmp_path: Path, ending: str) -> Non
         (["plan", "testbed_table", "--uncertainty", "disk:30", "--at", "3"], "X_MM,Y_MM"),
         ([*PLAN[:-1], "palm,right_9"], "the hand has no right_9"),
         ([*PLAN[:-1], "foo"], "must be one of"),
-        (["plan", "testbed_free", "--uncertainty", "disk:30"], "objects on a table"),
         (["touch", "testbed_table", "--opening", "190"], "must be from 0 to below 180"),
         (["touch", "testbed_table", "--travel", "0"], "above 0 mm"),
         (["touch", "nowhere"], "nowhere"),

@@ -66,7 +66,7 @@ def test_without_mujoco_a_line_says_how_to_get_it(palmar, monkeypatch, words):
 
 def test_what_the_world_lacks_is_said_in_a_line(palmar):
     mujoco_needed()
-    answer = palmar("simulate", "disk_on_a_wall", "--world", "mujoco")
+    answer = palmar("behaviours", "run", "disk_on_a_wall", "--world", "mujoco")
     assert (answer.status, answer.out) == (2, "")
     assert "no wall" in answer.err
 

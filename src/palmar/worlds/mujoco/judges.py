@@ -27,7 +27,7 @@ from palmar.worlds.planar.carriage import Carriage, Touch
 Both = tuple[Joints, Joints]
 Place = tuple[float, float, float]
 NEAR = 1e-3
-"""In finger lengths; a polygon's corners, which the scene rounds, may be farther away by twice the scene's rounding."""
+"""In finger lengths."""
 CONE_SLACK = 1.0 / STRENGTH + 0.01
 """A motor that is held up has pushed with STRENGTH table frictions, which lean a cone by about the inverse."""
 
@@ -86,9 +86,8 @@ def judge_of(scene: Scene, place: Place) -> Judge:
     """The judge of a scene's case."""
     length, free = scene.case.hand.finger_length, scene.case.support.kind is SupportKind.FREE
     body = slider_body(scene.slider, scene.case.contact.friction + (0.0 if free else CONE_SLACK))
-    near = NEAR * length + (2.0 * scene.rounding if len(scene.slider.core) > 1 else 0.0)
     deepest = 0.1 * body.width
-    scale = scale_of(length, body, TOLERANCE)._replace(touch=near / NEAR_IN_TOUCHES, cut=deepest, deep=deepest)
+    scale = scale_of(length, body, TOLERANCE)._replace(touch=NEAR * length / NEAR_IN_TOUCHES, cut=deepest, deep=deepest)
     carriage = Carriage(scene.case.hand, body, bench(0), scale, place)
     if not free:
         return Judge(carriage)

@@ -2,8 +2,7 @@
 
 Only named pairs of geoms touch: the object with the hand, and fingers of one plane with each other. Surfaces are where
 the case has them: the hand's capsules are thicker than its links by ``rounding`` and the object thinner by as much, so that
-line fingers and a line palm have a body too. A disk is a sphere, so that its contacts are closed forms; a polygon is a ring
-of capsules along its edges, its corners rounded to a radius of twice ``rounding``.
+line fingers and a line palm have a body too. A disk is a sphere, so that its contacts are closed forms; a polygon is a prism.
 
 The table's friction is one contact that resists turning too, of a ball at the centre of pressure: the ellipsoidal limit
 surface with c = (largest moment) / (largest force) of the case's pressure. In free space there is no table and no weight;
@@ -44,7 +43,7 @@ STRENGTH = 20.0
 """The motors push a fingertip with so many times the table's friction, at most."""
 LEAST_FRICTION = 0.05
 """The same for tables of less friction than this."""
-DISK_ROUNDING, POLYGON_ROUNDING = 0.001, 0.005
+ROUNDING = 0.002
 """In reaches of the object."""
 MEETING = 1e-4
 """Half thickness, in finger lengths, with which line fingers of one plane meet."""
@@ -78,9 +77,7 @@ class Scene:
     @property
     def rounding(self) -> float:
         """By how much (m) the hand's links are thicker and the object thinner."""
-        if len(self.slider.core) == 1:
-            return DISK_ROUNDING * self.slider.rounding
-        return POLYGON_ROUNDING * self.reach
+        return ROUNDING * self.reach
 
     @property
     def torque(self) -> float:
@@ -99,7 +96,7 @@ class Scene:
         """The scene in MuJoCo's language."""
         return f"""<mujoco><compiler angle="radian"/>
         <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast"
-        gravity="0 0 {0.0 if self.free else -GRAVITY}"/>
+        gravity="0 0 {0.0 if self.free else -GRAVITY}"><flag multiccd="enable"/></option>{self._mesh()}
         <default><geom contype="0" conaffinity="0"/><joint solreflimit="{2.0 * self.step} 1" solimplimit="0.99 0.99 0.001"/>
         <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
         <worldbody><geom name="floor" type="plane" size="1 1 1"/>{self._hand()}{self._object()}</worldbody>
@@ -143,21 +140,23 @@ class Scene:
         weight = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{mass * size} {mass * size} {mass * size}"/>'
         ball = f'<geom name="ball" type="sphere" size="{self.reach}"/>'
         turns = '<joint axis="0 0 1"/>'
-        return (
-            f'<body name="object" pos="0 0 {self.reach}">{weight}{slides}{turns}{ball}{"".join(self._outline())}</body>'
-        )
+        return f'<body name="object" pos="0 0 {self.reach}">{weight}{slides}{turns}{ball}{self._outline()}</body>'
 
-    def _outline(self) -> Iterator[str]:
-        """The object's geoms ``object_0``, ``object_1``, ..."""
+    def _outline(self) -> str:
+        """The object's geom."""
         core = self.slider.core
         if len(core) == 1:
             size = self.slider.rounding - self.rounding
-            yield f'<geom name="object_0" type="sphere" size="{size}" pos="{core[0, 0]} {core[0, 1]} 0"/>'
-            return
-        corners = inset(core, 2.0 * self.rounding)
-        for k, (begin, end) in enumerate(zip(corners, np.roll(corners, -1, axis=0), strict=True)):
-            line = f"{begin[0]} {begin[1]} 0 {end[0]} {end[1]} 0"
-            yield f'<geom name="object_{k}" type="capsule" size="{self.rounding}" fromto="{line}"/>'
+            return f'<geom name="outline" type="sphere" size="{size}" pos="{core[0, 0]} {core[0, 1]} 0"/>'
+        return '<geom name="outline" type="mesh" mesh="outline"/>'
+
+    def _mesh(self) -> str:
+        """A polygon's prism."""
+        if len(self.slider.core) == 1:
+            return ""
+        corners, height = inset(self.slider.core, self.rounding), 0.5 * self.reach
+        points = " ".join(f"{x} {y} {z}" for x, y in corners for z in (-height, height))
+        return f'<asset><mesh name="outline" vertex="{points}"/></asset>'
 
     def _pairs(self) -> Iterator[str]:
         grip, table = self.case.contact.friction, self.case.support.friction
@@ -168,8 +167,7 @@ class Scene:
         count = len(self.case.hand.finger_links)
         links = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(count)]
         for link in ("palm", *links):
-            for k in range(len(self.slider.core)):
-                yield f'<pair geom1="{link}" geom2="object_{k}" {kind}{self._bounce()}/>'
+            yield f'<pair geom1="{link}" geom2="outline" {kind}{self._bounce()}/>'
         if self.case.hand.fingers is Fingers.COLLIDING:
             for one in links[:count]:
                 for other in links[count:]:

@@ -187,7 +187,7 @@ class MujocoWorld:
     def _pushes(self, velocity: tuple[float, float]) -> bool:
         """Whether the arm, with this velocity, would push the object."""
         contacts, bodies = self.data.contact, self.model.geom_bodyid
-        thing = bodies[self.model.geom("object_0").id]
+        thing = bodies[self.model.geom("outline").id]
         for (one, other), frame in zip(contacts.geom, contacts.frame, strict=True):
             if bodies[one] and bodies[other] and thing in (bodies[one], bodies[other]):
                 way = 1.0 if bodies[other] == thing else -1.0
