@@ -2,7 +2,7 @@
 
 Only named pairs of geoms touch: the object with the hand, and fingers of one plane with each other. Surfaces are where
 the case has them: the hand's capsules are thicker than its links by ``rounding`` and the object thinner by as much, so that
-line fingers and a line palm have a body too. A disk is a sphere, so that its contacts are closed forms; a polygon is a prism.
+line fingers and a line palm have a body too. A disk is a sphere, so that its contacts are closed forms; polygons are prisms.
 
 The table's friction is one contact that resists turning too, of a ball at the centre of pressure: the ellipsoidal limit
 surface with c = (largest moment) / (largest force) of the case's pressure. In free space there is no table and no weight;
