@@ -62,13 +62,6 @@ def test_closing_ends_as_in_the_planar_world(text: str, number: int, apart: floa
     assert float(np.median(differences[:, 2])) < turned
 
 
-def test_an_object_that_was_touched_and_left_has_escaped() -> None:
-    world = mujoco_world(parse_case(HAND + DISK), (0.29, 0.02, 0.0))
-    while not all(world.observe().stalled):
-        world.act(Command((0.3, 0.0), (0.3, 0.0)), 0.02)
-    assert world.outcome() is Outcome.ESCAPED
-
-
 def test_a_pinch_without_friction_is_held() -> None:
     """The fingers stall a little before they are flush on either side: the cones of the verdict leave that open."""
     case = parse_case(HAND + DISK + "[contact]\nfriction = 0.1\n")
