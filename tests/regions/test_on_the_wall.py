@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from shapely import Point
 
 from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.closing_case import straight_motion
@@ -85,6 +86,6 @@ def test_what_knows_no_wall_says_so() -> None:
     with pytest.raises(NotCoveredError, match="wall_mm: only the exact model"):
         build_region(standing, Model.PUBLISHED)
     with pytest.raises(NotCoveredError, match="wall_mm"):
-        plan(standing, None, (0.0, 0.2), 1)  # type: ignore[arg-type]
+        plan(standing, Point(0.0, 0.0).buffer(0.01), (0.0, 0.2), 1)
     with pytest.raises(NotCoveredError, match="one orientation"):
         build_region(standing, orientations=(0.0, 1.0))
