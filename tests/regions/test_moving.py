@@ -15,7 +15,6 @@ from palmar.models.hand import Hand
 from palmar.models.objects import Disk
 from palmar.regions.exact import exact_region
 from palmar.regions.moving import ArmMotion, caught, moved_first, moving_sets
-from palmar.studies.arm_motion import Way, least_travel
 from palmar.studies.plan_trial import drawn_starts
 
 HAND = Hand(palm_width=0.12, finger_links=(0.244,))
@@ -51,13 +50,3 @@ def test_starts_drawn_in_the_region_are_caught(arm: ArmMotion) -> None:
     region = moving_sets(CASE, arm, SPACING)
     assert is_caught(CASE, drawn_starts(region.centre, 4000, 3), arm).all()
     assert region.centre.area > exact_region(CASE).area
-
-
-def test_moving_first_needs_the_least_travel() -> None:
-    """Moving while closing needs more way, but no more time: the fingers close on it."""
-    before, after = (least_travel(CASE, 0.16, way) for way in (Way.FIRST, Way.WHILE))
-    assert before is not None and after is not None
-    assert min(before.room.radius, after.room.radius) >= 0.16
-    assert 0.09 < before.travel < after.travel
-    assert least_travel(CASE, 0.05, Way.WHILE).travel == 0.0
-    assert least_travel(CASE, 0.6, Way.FIRST) is None

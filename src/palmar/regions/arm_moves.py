@@ -41,7 +41,11 @@ def arm_region(case: Case, closure: Closure, tolerance: float | None) -> Region:
 
     ``tolerance`` (m): how far curves may be flattened, or simulated starts be apart.
     """
-    arm = arm_motion(case)
+    return region_of_motion(case, arm_motion(case), closure, tolerance)
+
+
+def region_of_motion(case: Case, arm: ArmMotion, closure: Closure, tolerance: float | None) -> Region:
+    """The region of ``arm`` whatever the case's behaviour."""
     if closure is Closure.STRUCTURAL:
         case = case.model_copy(update={"contact": case.contact.model_copy(update={"friction": 0.0})})
     if case.support.wall is not None:

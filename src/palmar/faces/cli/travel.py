@@ -14,7 +14,18 @@ from palmar.models.quantity import LARGEST_LENGTH
 from palmar.models.shipped import open_case
 
 if TYPE_CHECKING:
-    from palmar.studies.arm_motion import Travel, Way
+    from palmar.studies.arm_motion import ArmMotions, Travel
+
+WAYS = {
+    "first": "move and grab",
+    "closing": "move while closing",
+    "shortest": "least travel",
+    "quickest": "least time",
+}
+"""Of ``ArmMotions``, and what they are called."""
+
+
+HEADS = ("", "travel", "time", "before closing", "for each radian", "of the tip's speed", "object about", "region")
 
 
 def travel(
@@ -24,19 +35,14 @@ def travel(
     json: AsJson = False,
     check: Check = False,
 ) -> None:
-    """The best advance, before or while the fingers close, and the ratio of speeds, for a given uncertainty."""
-    from palmar.studies.arm_motion import Way, least_travel
+    """The best advance, before and while the fingers close, and the ratio of speeds, for a given uncertainty."""
+    from palmar.studies.arm_motion import best_arm_motions
 
     radius = _radius(uncertainty)
     name, given = open_case(case)
-    found: dict[Way, Travel | None] = {}
-    for way in Way:
-        progress(f"simulating: {way.value}")
-        found[way] = least_travel(given, radius, way)
-    done = [each for each in found.values() if each is not None]
-    best = min(done, key=lambda each: each.travel, default=None)
-    show(titled(name, given, _text(given, radius, found, best)), _record(given, radius, found, best), json)
-    answer(best is not None, check)
+    found = best_arm_motions(given, radius, lambda words: progress(f"simulating: {words}"))
+    show(titled(name, given, _text(given, radius, found)), _record(given, radius, found), json)
+    answer(found.shortest is not None, check)
 
 
 def _radius(text: str) -> float:
@@ -50,29 +56,40 @@ def _radius(text: str) -> float:
     return value
 
 
-def _text(case: Case, radius: float, found: dict[Way, Travel | None], best: Travel | None) -> str:
+def _text(case: Case, radius: float, found: ArmMotions) -> str:
     from palmar.studies.arm_motion import FARTHEST
 
-    rows = [("", "travel", "before closing", "for each radian", "of the tip's speed", "object about")]
-    for way, each in found.items():
+    rows = [HEADS]
+    for way, called in WAYS.items():
+        each: Travel | None = getattr(found, way)
         if each is None:
-            rows.append((way.value, f"none up to {1e3 * FARTHEST * case.hand.finger_length:.4g} mm", "", "", "", ""))
+            rows.append(
+                (called, f"none up to {1e3 * FARTHEST * case.hand.finger_length:.4g} mm", "", "", "", "", "", "")
+            )
             continue
         x, y = (1e3 * value for value in each.room.centre)
         rows.append(
             (
-                way.value,
+                called,
                 f"{1e3 * each.travel:.4g} mm",
+                f"{each.seconds:.3g} s",
                 f"{1e3 * each.motion.first:.4g} mm",
                 f"{1e3 * each.motion.per_radian:.4g} mm",
                 f"{_ratio(case, each):.3g}",
                 f"({x + 0.0:.4g}, {y:.4g}) mm",
+                each.guarantee.value,
             )
         )
     known = f"an object known within {1e3 * radius:.4g} mm"
-    verdict = f"No arm motion straight ahead catches {known}, as far as was simulated."
-    if best is not None:
-        verdict = f"Caught, {known}: with the least travel by {best.way.value}, {1e3 * best.travel:.4g} mm (sampled)."
+    if found.shortest is None or found.quickest is None:
+        verdict = f"No arm motion straight ahead catches {known}, as far as was simulated."
+    else:
+        verdict = (
+            f"Caught, {known}: with the least travel, {1e3 * found.shortest.travel:.4g} mm,"
+            f" of which {1e3 * found.shortest.motion.first:.4g} mm before closing;"
+            f" in the least time, {found.quickest.seconds:.3g} s, {1e3 * found.quickest.travel:.4g} mm,"
+            f" of which {1e3 * found.quickest.motion.first:.4g} mm before closing."
+        )
     return f"{verdict}\n\n{table(rows)}"
 
 
@@ -81,22 +98,29 @@ def _ratio(case: Case, travel: Travel) -> float:
     return travel.motion.per_radian / case.hand.finger_length
 
 
-def _record(case: Case, radius: float, found: dict[Way, Travel | None], best: Travel | None) -> dict[str, Any]:
+def _record(case: Case, radius: float, found: ArmMotions) -> dict[str, Any]:
+    from palmar.studies.arm_motion import SPACING
+
+    ways = {way: getattr(found, way) for way in WAYS}
     return {
         "uncertainty_m": radius,
-        "guarantee": "sampled",
-        "best": None if best is None else best.way.name.lower(),
-        "ways": {way.name.lower(): None if each is None else _one(case, each) for way, each in found.items()},
+        "spacing_m": SPACING * case.hand.finger_length,
+        "ways": {way: None if each is None else _one(case, each) for way, each in ways.items()},
     }
 
 
 def _one(case: Case, each: Travel) -> dict[str, Any]:
+    speed, closing = case.behaviour.speed, each.motion.per_radian * case.hand.finger_rate
     return {
         "travel_m": each.travel,
+        "seconds": each.seconds,
+        "share_first": each.share,
         "first_m": each.motion.first,
         "per_radian_m": each.motion.per_radian,
         "speed_ratio": _ratio(case, each),
-        "speed_m_s": each.motion.per_radian * case.hand.finger_rate,
+        "arm_speed_m_s": min(speed, closing),
+        "finger_rate_rad_s": case.hand.finger_rate * min(1.0, speed / closing if closing > 0.0 else 1.0),
+        "guarantee": each.guarantee.value,
         "at_m": list(each.room.centre),
         "allowed_error_m": each.room.radius,
     }
