@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 
 from palmar.faces.cli.main import run
+from palmar.studies import touch
 
 PLAN = ["plan", "testbed_table", "--at", "0,500", "--uncertainty", "disk:250", "--sensors", "distributed"]
 
@@ -156,7 +157,8 @@ def test_islands_are_closed_on_without_touch(capsys, tmp_path: Path) -> None:
     assert film.stat().st_size > 5000
 
 
-def test_what_touch_buys(capsys, tmp_path: Path) -> None:
+def test_what_touch_buys(capsys, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(touch, "OPENINGS", 5)
     record = json.loads(called(capsys, "touch", "testbed_table", "--sensors", "tips", "--json")[1])
     assert record["felt_m"] < record["touched_m"] == pytest.approx(0.684)
     assert record["connected_ratio"] == pytest.approx(0.5)

@@ -36,7 +36,7 @@ def test_the_best_arm_motions_for_an_uncertainty(palmar, tmp_path: Path, monkeyp
     assert (ways["first"]["guarantee"], ways["closing"]["guarantee"]) == ("closed_form", "sampled")
     assert ways["shortest"] == ways["first"]
     assert 0.0 < ways["quickest"]["share_first"] < 1.0
-    assert ways["quickest"]["seconds"] < 0.9 * min(ways["first"]["seconds"], ways["closing"]["seconds"])
+    assert ways["quickest"]["seconds"] < 0.97 * min(ways["first"]["seconds"], ways["closing"]["seconds"])
     for way in ways.values():
         assert way["allowed_error_m"] >= 0.16
         less = room_of(case, ArmMotion(0.95 * way["first_m"], 0.95 * way["per_radian_m"]))

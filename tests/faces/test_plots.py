@@ -17,6 +17,7 @@ from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
 from palmar.errors import OutputError
+from palmar.faces.plots import source_figures
 from palmar.faces.plots.closure_picture import closure_picture
 from palmar.faces.plots.dimensions import dimension, scale_bar
 from palmar.faces.plots.hand import draw_finger, draw_hand, finger_points
@@ -109,16 +110,18 @@ def test_source_figures_are_tidy_and_the_same_on_every_run(number: str) -> None:
     figure = FIGURES[number]()
     assert_tidy(figure)
     assert f"Figure {number}: " in words(figure)
+    again = FIGURES[number]()
     for kind in ("svg", "pdf"):
-        assert encoded(FIGURES[number](), kind) == encoded(figure, kind)
+        assert encoded(again, kind) == encoded(figure, kind)
 
 
-def test_source_figures_are_written_in_every_format(tmp_path: Path) -> None:
+def test_source_figures_are_written_in_every_format(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []
+    monkeypatch.setattr(source_figures, "FIGURES", {number: FIGURES[number] for number in ("2.7", "4.4")})
     paths = write_source_figures(tmp_path, tuple(SIGNATURES), told.append)
-    assert len(paths) == len(set(paths)) == len(FIGURES) * len(SIGNATURES)
+    assert len(paths) == len(set(paths)) == 2 * len(SIGNATURES)
     assert sorted(paths) == sorted(tmp_path.iterdir())
-    assert told == [f"figure {number}" for number in FIGURES]
+    assert told == ["figure 2.7", "figure 4.4"]
     for path in paths:
         assert path.read_bytes().startswith(SIGNATURES[path.suffix.removeprefix(".")])
 

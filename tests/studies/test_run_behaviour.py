@@ -54,7 +54,7 @@ def drawn(uncertainty: float, number: int) -> np.ndarray:
     return np.stack([distance * np.cos(angle), 0.5 + distance * np.sin(angle)], axis=1)
 
 
-@pytest.mark.parametrize(("uncertainty", "most", "number"), [(0.15, 1, 24), (0.4, 2, 24)])
+@pytest.mark.parametrize(("uncertainty", "most", "number"), [(0.15, 1, 10), (0.4, 2, 10)])
 def test_a_plan_followed_catches_every_object_drawn(uncertainty: float, most: int, number: int) -> None:
     case, reflex = planned(uncertainty)
     assert approaches(reflex.policy) == most

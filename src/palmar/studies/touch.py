@@ -56,7 +56,10 @@ class Touch:
 def touch_at(case: Case, opening: float, travel: float, closure: Closure = Closure.FRICTIONAL) -> Touch:
     """What the case's sensors buy with the fingers at one opening; raises NotCoveredError as ``plan`` does."""
     planner, stretches = planner_of(case, closure)
-    seen = opening_of(case, stretches, opening, closure)
+    return _seen_touch(planner, opening_of(case, stretches, opening, closure), travel)
+
+
+def _seen_touch(planner: Planner, seen: Opening, travel: float) -> Touch:
     good = _good_sensors(planner, seen)
     pieces = seen.profile.pieces
     width = np.array([each.points[-1, 0] - each.points[0, 0] for each in pieces])
@@ -64,7 +67,7 @@ def touch_at(case: Case, opening: float, travel: float, closure: Closure = Closu
     sure = np.array([each.owner in good for each in pieces])
     strips = [_strip(each, travel) for each, yes in zip(pieces, sure, strict=True) if yes]
     return Touch(
-        opening,
+        seen.angle,
         float(width.sum()),
         float(width[felt].sum()),
         float(width[sure].sum()),
@@ -77,10 +80,10 @@ def touch_at(case: Case, opening: float, travel: float, closure: Closure = Closu
 
 def touch_by_opening(case: Case, travel: float, closure: Closure = Closure.FRICTIONAL) -> tuple[Touch, ...]:
     """The same over all openings of the hand, from open to where the tips would touch the object in the middle."""
+    planner, stretches = planner_of(case, closure)
     low, high = case.hand.base_limits
-    return tuple(
-        touch_at(case, float(each), travel, closure) for each in np.linspace(low, min(high, 0.5 * np.pi), OPENINGS)
-    )
+    angles = np.linspace(low, min(high, 0.5 * np.pi), OPENINGS)
+    return tuple(_seen_touch(planner, opening_of(case, stretches, float(each), closure), travel) for each in angles)
 
 
 def fewest_stretches(case: Case, opening: float, closure: Closure = Closure.FRICTIONAL) -> tuple[Stretch, ...] | None:

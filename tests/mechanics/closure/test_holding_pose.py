@@ -49,7 +49,7 @@ def held_off_limits(grip: Grip, radius: float) -> bool | None:
     return near.pop() if len(near) == 1 else None
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(grip=grips, radius=st.floats(0.02, 4.0))
 def test_a_pose_is_found_exactly_where_brute_force_holds(grip: Grip, radius: float) -> None:
     pose, held = holding_pose(grip, radius), held_off_limits(grip, radius)
@@ -64,7 +64,7 @@ def test_a_pose_is_found_exactly_where_brute_force_holds(grip: Grip, radius: flo
         assert pose.on_palm or pose.elevation <= alpha + 1e-8
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(grip=grips, radius=st.floats(0.02, 4.0), rise=st.floats(0.0, 2.0), share=st.floats(0.0, 0.999))
 def test_fingers_are_clear_before_they_touch(grip: Grip, radius: float, rise: float, share: float) -> None:
     pose = touching_pose(grip, radius, radius + rise)

@@ -40,15 +40,16 @@ def random_polygon(rng):
     return rng.uniform(0.1, 1.5) * corners @ np.array([[cos(turn), sin(turn)], [-sin(turn), cos(turn)]])
 
 
-@pytest.mark.parametrize("corners", [64, 256])
-@pytest.mark.parametrize(("half_palm", "h"), [(0.6, 0.0), (1.2, 0.0), (0.6, 0.08), (1.2, 0.05)])
+@pytest.mark.parametrize(
+    ("corners", "half_palm", "h"), [(256, 0.6, 0.0), (256, 1.2, 0.0), (20, 0.6, 0.08), (20, 1.2, 0.05)]
+)
 def test_many_corners_approach_the_disk(corners, half_palm, h):
     """A regular polygon's limits lie between those of its two circles, up to the cone of normals at a corner."""
     slack, alpha = 3.0 * pi / corners, radians(25.0)
     plain, rough = structural_radii(half_palm, 1.0, h), frictional_radii(half_palm, 1.0, alpha, h)
 
     def needed(radius):
-        return required_friction_angle(regular(corners, radius), [0.0, 0.03, 0.5], half_palm, 1.0, h)
+        return required_friction_angle(regular(corners, radius), [0.03, 0.5], half_palm, 1.0, h)
 
     assert np.all(needed(float(plain.max) * (1.0 - slack)) == 0.0)
     assert np.all(needed(float(plain.max) * (1.0 + slack)) > 0.0)
@@ -98,7 +99,7 @@ def test_a_long_bar_is_pinched_flat_by_its_ends_but_not_when_it_sticks_out():
 def test_ends_are_where_the_answer_changes():
     rng = np.random.default_rng(3)
     ends = 0
-    for _ in range(6):
+    for _ in range(3):
         polygon, half_palm = random_polygon(rng), rng.uniform(0.3, 1.0)
         for intervals, holds in (
             (structural_orientations(polygon, half_palm, 1.0), held_structurally),
@@ -109,10 +110,10 @@ def test_ends_are_where_the_answer_changes():
                     around = np.array([start, end, start - 1e-8, end + 1e-8])
                     assert holds(polygon, around, half_palm, 1.0).tolist() == [True, True, False, False]
                     ends += 2
-    assert ends > 10
+    assert ends > 5
 
 
-@settings(max_examples=8, deadline=None, derandomize=True)
+@settings(max_examples=3, deadline=None, derandomize=True)
 @given(st.integers(0, 2**32 - 1), st.floats(0.2, 1.4), st.floats(0.01, 100.0))
 def test_symmetries(seed, half_palm, scale):
     """Mirror image, a turn of the vertices, a shift, and the unit of length do not matter.
@@ -162,10 +163,10 @@ def test_a_polygon_of_a_thousand_corners():
 
 
 def test_brute_force_agrees():
-    """2000 cases; nearer to a limit than 1e-3 rad of friction angle, or of elevation, none is compared."""
+    """400 cases, more in `dev.py validate closure`; none within 1e-3 rad of a limit, of friction or of elevation."""
     rng = np.random.default_rng(2)
     compared = 0
-    for _ in range(40):
+    for _ in range(8):
         polygon, half_palm, alpha = random_polygon(rng), rng.uniform(0.2, 1.4), radians(rng.uniform(1.0, 60.0))
         theta = rng.uniform(0.0, 2.0 * pi, 50)
         some = brute.cases([polygon] * 50, theta, np.full(50, half_palm), np.full(50, alpha))
@@ -180,7 +181,7 @@ def test_brute_force_agrees():
             clear = np.abs(margin) > 2e-3
             assert ((margin > 0.0) == held)[clear].all()
             compared += int(clear.sum())
-    assert compared > 3000
+    assert compared > 600
 
 
 def test_brute_force_agrees_with_the_intervals():
@@ -196,18 +197,18 @@ def test_brute_force_agrees_with_the_intervals():
 def test_brute_force_agrees_for_thick_fingers_on_the_palm():
     """Its arcs are cut into steps of 2 deg, so elevations differ by up to half of that on each side."""
     rng = np.random.default_rng(4)
-    for _ in range(5):
+    for _ in range(3):
         polygon, half_palm, h = random_polygon(rng), rng.uniform(0.3, 1.2), rng.choice([0.03, 0.15])
-        theta = rng.uniform(0.0, 2.0 * pi, 6)
-        margin = brute.palm_margin(brute.cases([polygon] * 6, theta, np.full(6, half_palm), np.zeros(6), h))
+        theta = rng.uniform(0.0, 2.0 * pi, 4)
+        margin = brute.palm_margin(brute.cases([polygon] * 4, theta, np.full(4, half_palm), np.zeros(4), h))
         clear = np.abs(margin) > radians(2.0) + 1e-3
         assert ((margin > 0.0) == held_structurally(polygon, theta, half_palm, 1.0, h))[clear].all()
 
 
 def test_the_brute_force_knows_the_disk():
-    """R_max = (D + L sin alpha) / cos alpha, for a 90-gon with normals 4 deg apart."""
+    """R_max = (D + L sin alpha) / cos alpha, for a 60-gon with normals 6 deg apart."""
     alpha, half_palm = radians(30.0), 0.5
     limit = (half_palm + sin(alpha)) / cos(alpha)
     sizes = np.array([0.9, 1.1]) * limit
-    some = brute.cases([regular(90, size) for size in sizes], np.zeros(2), np.full(2, half_palm), np.full(2, alpha))
+    some = brute.cases([regular(60, size) for size in sizes], np.zeros(2), np.full(2, half_palm), np.full(2, alpha))
     assert (np.maximum(brute.palm_margin(some), brute.pinch_margin(some)) > 0.0).tolist() == [True, False]

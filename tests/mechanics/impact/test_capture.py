@@ -253,7 +253,7 @@ def test_a_landed_disk_leaves_at_once_when_the_finger_draws_back_from_it():
 
 def test_without_restitution_small_steps_agree():
     rng = np.random.default_rng(2)
-    for _ in range(6):
+    for _ in range(2):
         place, velocity = (rng.uniform(-9.0, 9.0), rng.uniform(5.0, 20.0)), rng.normal(size=2) * 2.0
         _, end, events = capture(HAND, place, velocity, 0.0)
         reached, speed = drag_along(SLOW, place, velocity, end[5])
@@ -305,15 +305,15 @@ def other_engine(places, e, step=2e-4):
 
 
 @pytest.mark.parametrize("e", [1.0, 0.9, 0.7, 0.4])
-def test_an_impulse_engine_agrees_on_2000_starts(e):
-    """But for starts so near to the boundary that a shift of 1e-3 turns this kernel's answer, too."""
-    rng = np.random.default_rng(5)
-    places = np.column_stack([rng.uniform(-30.0, 30.0, 2000), rng.uniform(R, 28.0, 2000)])
+def test_an_impulse_engine_agrees_on_2000_starts_in_all(e):
+    """500 for each; but for starts so near to the boundary that a shift of 1e-3 turns this kernel's answer, too."""
+    rng = np.random.default_rng(round(100.0 * e))
+    places = np.column_stack([rng.uniform(-30.0, 30.0, 500), rng.uniform(R, 28.0, 500)])
     mine = caught(capture_all(HAND, places, restitution=e))
-    other = np.concatenate([other_engine(places[k : k + 10], e) for k in range(0, 2000, 10)])
+    other = np.concatenate([other_engine(places[k : k + 10], e) for k in range(0, 500, 10)])
     different = np.flatnonzero(mine != other)
-    assert mine.sum() > 400
-    assert len(different) <= 10
+    assert mine.sum() > 100
+    assert len(different) <= 3
     turn = np.linspace(0.0, 2.0 * pi, 48, endpoint=False)
     ring = np.stack([np.cos(turn), np.sin(turn)], axis=1)
     for k in different:
