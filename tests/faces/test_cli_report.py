@@ -5,6 +5,7 @@ import re
 import pytest
 
 from palmar.models.case_file import parse_case
+from palmar.models.shipped import shipped_names
 
 OF_EACH_KIND = ("testbed_table", "testbed_free", "adaptive_hand", "disk_on_a_wall", "chapter2_example")
 
@@ -41,7 +42,7 @@ def test_a_folder_that_cannot_be_made_is_one_line(palmar, tmp_path):
 
 def test_cases_are_listed_and_printed(palmar):
     listed = palmar("cases", "--json").record["cases"]
-    assert [each["name"] for each in listed] == OF_EACH_KIND
+    assert [each["name"] for each in listed] == shipped_names()
     assert parse_case(palmar("cases", "testbed_free").out).support.kind.value == "free"
     assert palmar("cases", "nope").status == 2
 
