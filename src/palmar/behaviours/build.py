@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from palmar.behaviours.close import Closing
+from palmar.behaviours.close_coupled import CoupledClosing
+from palmar.behaviours.curl_and_close import CurlAndClose
 from palmar.behaviours.jointed import JointedReflex
 from palmar.behaviours.match_velocity import ArmLimits, MatchVelocity
 from palmar.behaviours.move_and_grab import MoveAndGrab
@@ -17,6 +19,7 @@ from palmar.errors import NotCoveredError
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
+from palmar.models.jointed_motion import check_two_links, coupled_limit, curl_of
 
 
 def drive_of(case: Case) -> Drive:
@@ -42,10 +45,15 @@ def reflex_of(case: Case) -> Reflex[Any]:
         return MoveAndGrab(drive, move)
     if name is BehaviourName.MOVE_WHILE_CLOSING:
         return MoveWhileClosing(drive, move, given.first)
+    if name is BehaviourName.CURL_AND_CLOSE:
+        return CurlAndClose(drive, curl_of(case))
+    if name is BehaviourName.CLOSE_COUPLED:
+        return CoupledClosing(drive, given.ratio, coupled_limit(case))
     if name is BehaviourName.MATCH_VELOCITY:
         return _matching(case, drive)
     places = case_places(case)
     if name is BehaviourName.JOINTED:
+        check_two_links(case)
         return _jointed(drive, places, given.preshape)
     if not places.palm:
         raise NotCoveredError(f'behaviour "{name.value}" needs a sensor on the palm: sensors.layout = "palm", say')
@@ -75,8 +83,6 @@ def _matching(case: Case, drive: Drive) -> MatchVelocity:
 
 
 def _jointed(drive: Drive, places: SensorPlaces, preshape: float) -> JointedReflex:
-    if drive.joints != 2:
-        raise NotCoveredError(f'behaviour "jointed" is for fingers of two links, not {drive.joints}')
     if not any((*places.right, *places.left)):
         raise NotCoveredError('behaviour "jointed" needs sensors on the links: sensors.layout = "distributed", say')
     return JointedReflex(drive, places, preshape)

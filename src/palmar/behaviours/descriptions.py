@@ -55,6 +55,18 @@ DESCRIPTIONS: dict[BehaviourName, Description] = {
          "End when both fingers are held up."),
         ("preshape",), "fingers of two links with sensors", "5.2.3",
     ),
+    BehaviourName.CURL_AND_CLOSE: Description(
+        "Curl the distal links, then close.",
+        ("The distal joints curl to the preshape angle, the base joints still.", "The base joints close.",
+         "End when both fingers are held up."),
+        ("preshape",), "fingers of two links", "5.2.2 and 5.3.1",
+    ),
+    BehaviourName.CLOSE_COUPLED: Description(
+        "Close base and distal joints together.",
+        ("The base joints close at the finger rate, the distal joints at the ratio times that.",
+         "End when both fingers are held up."),
+        ("ratio",), "fingers of two links", "5.3.1",
+    ),
     BehaviourName.MATCH_VELOCITY: Description(
         "Fly along with a tracked free disk, bring it to its place in the hand, and close on it.",
         ("Look: end, and say why, if speed, reach or patience do not allow what follows.",

@@ -29,6 +29,10 @@ class BehaviourName(Enum):
     """Wait, or advance, until the palm feels something; then close (sections 4.3 and 7.3)."""
     JOINTED = "jointed"
     """The reflex of the 4-jointed hand: which link feels the object first decides how a finger closes (section 5.2.3)."""
+    CURL_AND_CLOSE = "curl_and_close"
+    """Curl the distal joints to the preshape angle, then close the base joints (sections 5.2.2 and 5.3.1)."""
+    CLOSE_COUPLED = "close_coupled"
+    """Close base and distal joints together, at a fixed ratio of rates (section 5.3.1)."""
     MATCH_VELOCITY = "match_velocity"
     """Fly along with a tracked free disk, bring it to its place in the hand, and close on it (section 4.3.1)."""
     FOLLOW_POLICY = "follow_policy"
@@ -52,7 +56,9 @@ class Behaviour(Value):
     patience: Duration = 10.0
     """How long a hand waits that does not advance, or follows an object before it closes."""
     preshape: Annotated[Real, Field(ge=0.0, lt=pi), Unit.DEGREE] = Unit.DEGREE.to_si(20.0)
-    """Distal angle to curl to where the distal link felt the object."""
+    """Distal angle to curl to: before closing, or where the distal link felt the object."""
+    ratio: Annotated[Real, Field(ge=0.0, le=100.0)] = 1.0
+    """Rate of the distal joints over that of the base joints, where they close together."""
     uncertainty: Annotated[Real, Field(gt=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE] = 0.02
     """Radius of the disk about the case's start in which a plan takes the object's centre to be."""
 

@@ -10,6 +10,7 @@ from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
 from palmar.models.hand import Fingers, Hand
+from palmar.models.jointed_motion import JOINTED_CLOSING
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
 from palmar.regions.published_3_3_1 import PublishedSets, published_sets
@@ -32,17 +33,17 @@ def build_region(
     ``tolerance`` (m): how far curves of the exact region may be flattened, or simulated starts be apart.
     """
     walled = case.support.wall is not None
+    if case.behaviour.name in JOINTED_CLOSING and model is Model.EXACT and case.support.kind is SupportKind.TABLE:
+        from palmar.regions.jointed_closing import jointed_region
+
+        return jointed_region(_turned(case, orientations), closure, tolerance)
     if case.behaviour.name is not BehaviourName.CLOSE or walled:
         if model is not Model.EXACT:
             what = "support.wall_mm" if walled else f'behaviour.name = "{case.behaviour.name.value}"'
             raise NotCoveredError(f"{what}: only the exact model has its region")
-        if orientations is not None and orientations[0] != orientations[1]:
-            raise NotCoveredError("--theta: regions of moving arms and before a wall are for one orientation")
         from palmar.regions.arm_moves import arm_region
 
-        if orientations is not None:
-            case = case.model_copy(update={"start": case.start.model_copy(update={"theta": orientations[0]})})
-        return arm_region(case, closure, tolerance)
+        return arm_region(_turned(case, orientations), closure, tolerance)
     if model is Model.PUBLISHED and case.support.kind is SupportKind.TABLE:
         return published_region(case, closure)
     if model is not Model.EXACT:
@@ -56,6 +57,17 @@ def build_region(
     from palmar.regions.exact import exact_region
 
     return exact_region(case, closure, tolerance, orientations, tolerance)
+
+
+def _turned(case: Case, orientations: tuple[float, float] | None) -> Case:
+    """The case with the one orientation asked about."""
+    if orientations is None:
+        return case
+    if orientations[0] != orientations[1]:
+        raise NotCoveredError(
+            "--theta: regions of moving arms, of jointed fingers and before a wall are for one orientation"
+        )
+    return case.model_copy(update={"start": case.start.model_copy(update={"theta": orientations[0]})})
 
 
 def published_region(case: Case, closure: Closure = Closure.FRICTIONAL) -> Region:

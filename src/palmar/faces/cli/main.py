@@ -22,6 +22,8 @@ for name, summary in {
     "plan": "Approaches by touch that certainly end in a grasp.",
     "touch": "What the hand's sensors buy, and how few would do.",
     "behaviours": "What the hand can be told to do, and a run of it under feedback.",
+    "preshape": "The distal angle with which a disk rides on the finger.",
+    "strategies": "Which way of closing two joints a finger catches from most.",
     "impact": "How hard a finger strikes the object, and what softens that.",
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
