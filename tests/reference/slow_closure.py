@@ -171,7 +171,11 @@ def distal_palm(hands: Hands) -> Bools:
     touched = touching(hands.palm, zero, hands.proximal, r, r).angle
     place = np.where(np.isnan(touched), np.arctan2(r, -hands.palm), touched) / np.pi
     apart = 0.5 ** np.arange(1.0, 24.0)
-    rows = [np.broadcast_to(EVENLY, (r.size, NODES + 1)), place[:, None], *(place[:, None] + s * apart for s in (-1, 1))]
+    rows = [
+        np.broadcast_to(EVENLY, (r.size, NODES + 1)),
+        place[:, None],
+        *(place[:, None] + s * apart for s in (-1, 1)),
+    ]
     return scanned(distal_palm_margin, hands, np.sort(np.clip(np.hstack(rows), 0.0, 1.0), axis=1))
 
 
@@ -205,5 +209,5 @@ def holds(case: Touching, radius: ArrayLike, palm: ArrayLike, proximal: ArrayLik
         Touching.DISTAL_PALM: distal_palm,
         Touching.DISTAL_PROXIMAL: distal_proximal,
     }[case]
-    pieces = [slice(at, at + AT_ONCE) for at in range(0, flat.radius.size, AT_ONCE)]
+    pieces = [slice(at, at + AT_ONCE) for at in range(0, max(flat.radius.size, 1), AT_ONCE)]
     return np.concatenate([decide(flat.at(piece)) for piece in pieces]).reshape(columns[0].shape)

@@ -76,10 +76,11 @@ def _corner(case: Case) -> JointedClosure:
     straight = _straight(hand, alpha)
     structural = _range(_smallest(hand, straight[0]), largest[0])
     frictional = _range(min(_smallest(hand, each) for each in straight), largest[1]) if alpha else structural
-    held = [_within(each, case.object.radius) for each in (structural, frictional)]
+    radius = case.object.radius
     reason = _reason(case, (structural, frictional), cases, holds)
+    verdict = Verdict(_within(structural, radius), _within(frictional, radius), reason)
     ends = (_straight_range(straight[0]), _straight_range(straight[1]))
-    return JointedClosure(structural, frictional, Verdict(*held, reason), cases, holds[1], ends, tuple(_notes(hand)))
+    return JointedClosure(structural, frictional, verdict, cases, holds[1], ends, tuple(_notes(hand)))
 
 
 def _closed_form(hand: Hand) -> bool:
@@ -97,7 +98,8 @@ def _holds(hand: Hand, alpha: float) -> tuple[Hold | None, Hold | None]:
 
 def _largest(hand: Hand, alpha: float, hold: Hold | None) -> float:
     if _closed_form(hand):
-        return float(largest_with_friction(hand.half_palm, *hand.finger_links, alpha))
+        proximal, distal = hand.finger_links
+        return float(largest_with_friction(hand.half_palm, proximal, distal, alpha))
     return hold.radius if hold else nan
 
 

@@ -36,7 +36,7 @@ def map_text(result: ClosureMap) -> str:
         heads = ("distal", "proximal", *(_title(name) for name in result.radius_max))
         columns = [result.distal, result.proximal, *result.radius_max.values()]
         return table([heads, *(tuple(map(_number, row)) for row in zip(*columns, strict=True))])
-    rows = [("case", "largest radius", "distal", "proximal")]
+    rows: list[tuple[str, ...]] = [("case", "largest radius", "distal", "proximal")]
     for name, radii in result.radius_max.items():
         best = int(np.nanargmax(radii)) if np.isfinite(radii).any() else None
         found = ("none", "-", "-") if best is None else (radii[best], result.distal[best], result.proximal[best])

@@ -25,8 +25,9 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 FIRST_NODES = {0: 1, 1: 241, 2: 61}
 MANY_NODES, NODES, NARROWING, LEVELS, COARSE_LEVELS = 31, 11, 0.5, 44, 6
-RADII = 25
-"""Radii scanned for the last sign change."""
+PEAK_LEVELS, PEAK_STEPS = 16, 30
+RADII, FEWER_RADII = 25, 9
+"""Radii scanned for the last sign change, the fewer where a hold is known and only larger ones are sought."""
 ROUNDING = 1e-15
 GOLDEN = (5.0**0.5 - 1.0) / 2.0
 NEARLY = 0.1
@@ -97,7 +98,8 @@ def _largest(reach: _Reach, beyond: float) -> Hold | None:
     low = max(beyond * (1.0 + 1e-12), 1e-4 * scale)
     if low >= above:
         return None
-    scanned = np.geomspace(above, low, RADII)
+    count = FEWER_RADII if beyond > 0.0 else RADII
+    scanned = np.geomspace(above, low, count)
     values = np.array([reach.highest(float(radius), COARSE_LEVELS)[0] for radius in scanned])
     held = np.flatnonzero(values >= 0.0)
     if held.size:
@@ -109,8 +111,8 @@ def _largest(reach: _Reach, beyond: float) -> Hold | None:
         best = int(values.argmax())
         if values[best] < -NEARLY:
             return None
-        ends = float(scanned[min(best + 1, RADII - 1)]), float(scanned[max(best - 1, 0)])
-        inside, above = _peak(lambda r: reach.highest(r)[0], *ends), ends[1]
+        ends = float(scanned[min(best + 1, count - 1)]), float(scanned[max(best - 1, 0)])
+        inside, above = _peak(lambda r: reach.highest(r, PEAK_LEVELS)[0], *ends), ends[1]
     found, hold = reach.highest(inside)
     if found < 0.0:
         return None
@@ -136,11 +138,21 @@ def _zero(function: Callable[[float], float], low: float, high: float, within: f
 
 
 def _peak(function: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function with one peak in [low, high] is largest: a golden section search."""
-    for _ in range(60):
-        left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        low, high = (low, right) if function(left) >= function(right) else (left, high)
-    return 0.5 * (low + high)
+    """Where a function with one peak in [low, high] is largest: a golden section search, left once above 0."""
+    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    at_left, at_right = function(left), function(right)
+    for _ in range(PEAK_STEPS):
+        if max(at_left, at_right) >= 0.0:
+            break
+        if at_left > at_right:
+            high, right, at_right = right, left, at_left
+            left = high - GOLDEN * (high - low)
+            at_left = function(left)
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + GOLDEN * (high - low)
+            at_right = function(right)
+    return left if at_left > at_right else right
 
 
 @dataclass(frozen=True)
@@ -189,7 +201,9 @@ class _Reach:
         square = w**2 + heights**2 - rho**2
         tau = np.sqrt(np.maximum(square, 0.0))[:, None]
         phi = np.where(square >= 0.0, -np.arctan2(heights, w), OUT)[:, None]
-        left, passed = iter(grids), [(tau, phi, None)]
+        left = iter(grids)
+        passed: list[tuple[Floats, Floats, Indices | None]] = [(tau, phi, None)]
+        pick: Indices | None
         for k, length in enumerate(self.chain.links[: self.last - 1], 1):
             if k == self.carrier:
                 tau, phi, pick = *_carried(tau, phi, length, rho), None
@@ -199,7 +213,9 @@ class _Reach:
             passed.append((tau, phi, pick))
         ends = phi + _contact_angle(tau, rho, self.chain.links[self.last - 1])
         row, column = (int(each) for each in np.unravel_index(int(ends.argmax()), ends.shape))
-        value, taus, joints = float(ends[row, column]), [], []
+        value = float(ends[row, column])
+        taus: list[float] = []
+        joints: list[tuple[float, float]] = []
         for tau, phi, pick in reversed(passed):
             far, angle = np.hypot(tau[row, column], rho), phi[row, column]
             joints.append((far * np.cos(angle), heights[row] + far * np.sin(angle)))

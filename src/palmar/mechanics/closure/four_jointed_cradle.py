@@ -56,7 +56,7 @@ def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) 
 
 def folds(w: Floats, p: Floats, q: Floats) -> NDArray[np.bool_]:
     """Whether the hand has a folded hold: the elbow passes the axis, and the distal link fits above the palm line."""
-    return np.asarray((0.0 < w) & (w < p) & (0.0 < q) & (q < p))
+    return np.asarray((w > 0.0) & (w < p) & (q > 0.0) & (q < p))
 
 
 def _folded_peak(low: Floats, high: Floats, w: Floats, p: Floats, q: Floats) -> Floats:

@@ -2,8 +2,8 @@
 
 A contact may lie below the equator by the friction angle alpha. So a disk is held if it lies on the palm and a link
 touches at elevation e >= -alpha; or off the palm, if one link touches with |e| <= alpha, alone or beside a proximal link
-that is in the way; or as without friction. Each has its largest disk, and the largest of these counts. Notation as in four_jointed_5_1;
-derived in docs/derivations/four_jointed.md.
+that is in the way; or as without friction. Each has its largest disk, and the largest of these counts. Notation as in
+four_jointed_5_1; derived in docs/derivations/four_jointed.md.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from palmar.mechanics.closure.disk_2_2 import Radii
 
 Floats = NDArray[np.float64]
-STEPS = 80
+STEPS = 120
 ROUNDING = 2.0**-51
 
 
@@ -43,14 +43,24 @@ def tip_roots(w: Floats, p: Floats, q: Floats, alpha: Floats | float = 0.0) -> R
     w, p, q, alpha = w[some], p[some], q[some], np.broadcast_to(alpha, high.shape)[some]
     t = p - w
     first, last = (t - q) * (t + q) / (2.0 * q), 2.0 * (w + p + q) / (1.0 - np.sin(alpha))
-    top = _passing(lambda r: _slope(r, w, p, q), first, np.maximum(first, last))
-    held = (first < last) & (tip_elevation(top, w, p, q) >= -alpha)
-    some, w, p, q, alpha, first, last, top = (each[held] for each in (some, w, p, q, alpha, first, last, top))
-    high[some] = _passing(lambda r: tip_elevation(r, w, p, q) + alpha, top, last)
-    at_first = tip_elevation(first, w, p, q) >= -alpha
-    rising = _passing(lambda r: -tip_elevation(r, w, p, q) - alpha, first, top)
-    low[some] = np.where(at_first, first, rising)
+    top = _passing(_slope, first, np.maximum(first, last), (w, p, q), 1e-9)
+    held = (first < last) & (_margin(top, w, p, q, alpha) >= 0.0)
+    some = some[held]
+    w, p, q, alpha, first, last, top = (each[held] for each in (w, p, q, alpha, first, last, top))
+    high[some] = _passing(_margin, top, last, (w, p, q, alpha))
+    at_first = _margin(first, w, p, q, alpha) >= 0.0
+    rising = np.flatnonzero(~at_first)
+    first[rising] = _passing(_shortfall, first[rising], top[rising], tuple(x[rising] for x in (w, p, q, alpha)))
+    low[some] = first
     return Radii(low, high)
+
+
+def _margin(radius: Floats, w: Floats, p: Floats, q: Floats, alpha: Floats) -> Floats:
+    return tip_elevation(radius, w, p, q) + alpha
+
+
+def _shortfall(radius: Floats, w: Floats, p: Floats, q: Floats, alpha: Floats) -> Floats:
+    return -_margin(radius, w, p, q, alpha)
 
 
 def _slope(radius: Floats, w: Floats, p: Floats, q: Floats) -> Floats:
@@ -63,19 +73,31 @@ def _slope(radius: Floats, w: Floats, p: Floats, q: Floats) -> Floats:
     return turning - np.sqrt(np.maximum(under, 0.0)) * (2.0 * w / (w**2 + radius**2) + t / elbow_2)
 
 
-def _passing(function: Callable[[Floats], Floats], low: Floats, high: Floats) -> Floats:
-    """Where functions pass from >= 0 at low to below 0 at high: secant steps kept inside a bracket that halves."""
-    low, high = low.copy(), high.copy()
-    at_low, at_high = function(low), function(high)
+def _passing(
+    function: Callable[..., Floats], low: Floats, high: Floats, given: tuple[Floats, ...], within: float = ROUNDING
+) -> Floats:
+    """Where functions pass from >= 0 at low to below 0 at high: secants of the Illinois rule, every fourth step halves.
+
+    Places count as found within a share of ``high``; those found are left out of further steps.
+    """
+    found, low, high, left = low.copy(), low.copy(), high.copy(), np.arange(low.size)
+    at_low, at_high = function(low, *given), function(high, *given)
     for step in range(STEPS):
+        open_ = high - low > within * high
+        if not open_.all():
+            found[left] = low
+            left = left[open_]
+            low, high, at_low, at_high = (each[open_] for each in (low, high, at_low, at_high))
+            given = tuple(each[open_] for each in given)
+        if left.size == 0:
+            break
         with np.errstate(invalid="ignore", divide="ignore"):
             secant = low + (high - low) * at_low / (at_low - at_high)
-        inside = (secant > low) & (secant < high) & (step % 3 < 2)
+        inside = (secant > low) & (secant < high) & (step % 4 < 3)
         place = np.where(inside, secant, 0.5 * (low + high))
-        value = function(place)
+        value = function(place, *given)
         true = value >= 0.0
-        low, at_low = np.where(true, place, low), np.where(true, value, at_low)
-        high, at_high = np.where(true, high, place), np.where(true, at_high, value)
-        if np.all(high - low <= ROUNDING * high):
-            break
-    return low
+        low, at_low = np.where(true, place, low), np.where(true, value, 0.5 * at_low)
+        high, at_high = np.where(true, high, place), np.where(true, 0.5 * at_high, value)
+    found[left] = low
+    return found
