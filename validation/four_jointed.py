@@ -19,7 +19,9 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 from palmar.mechanics.closure.four_jointed_5_1 import four_jointed_radii
 from palmar.mechanics.closure.four_jointed_cradle import folded_radius
+from palmar.mechanics.closure.four_jointed_friction import largest_with_friction
 from reference.slow_closure import Touching, holds
+from reference.slow_friction import holds_with_friction
 
 Floats = NDArray[np.float64]
 STEP, BESIDE = 1e-6, 1e-9
@@ -75,6 +77,17 @@ def disagreements(w: Floats, p: Floats, q: Floats, rng: np.random.Generator) -> 
     return found
 
 
+def with_friction(count: int, rng: np.random.Generator) -> tuple[int, int, int]:
+    """(hands, not found held a thousandth inside, found held 1e-4 outside) of the largest radius with friction."""
+    (w, p, q), alpha = rng.dirichlet([1.0, 1.0, 1.0], count).T, rng.uniform(0.05, 1.0, count)
+    limit = largest_with_friction(w, p, q, alpha)
+    known = ~np.isnan(limit)
+    w, p, q, alpha, limit = (each[known] for each in (w, p, q, alpha, limit))
+    inside = holds_with_friction(limit * (1.0 - 1e-3), w, p, q, alpha)
+    outside = holds_with_friction(limit * (1.0 + 1e-4), w, p, q, alpha)
+    return limit.size, int((~inside).sum()), int(outside.sum())
+
+
 def main(count: int) -> int:
     """Print the comparison; returns the number of decisions that differ."""
     rng = np.random.default_rng(20261126)
@@ -84,7 +97,11 @@ def main(count: int) -> int:
     for name, (compared, differing) in found.items():
         print(f"{name}: {compared} decisions, {differing} differ")
     print(f"{w.size} hands, {time.perf_counter() - begin:.0f} s")
-    return sum(differing for _, differing in found.values())
+    begin = time.perf_counter()
+    hands, lost, beyond = with_friction(count // 100, rng)
+    print(f"with friction: {hands} hands, {lost} not held at R(1 - 1e-3), {beyond} held at R(1 + 1e-4)")
+    print(f"{time.perf_counter() - begin:.0f} s")
+    return sum(differing for _, differing in found.values()) + lost + beyond
 
 
 if __name__ == "__main__":

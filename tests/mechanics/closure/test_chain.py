@@ -39,18 +39,6 @@ def test_two_links_are_the_closed_forms(distal, proximal):
     assert radius(w, links, 0.4) == pytest.approx(float(largest_with_friction(w, *links, 0.4)), **EXACT)
 
 
-def test_friction_adds_continuously():
-    w, p, q = np.random.default_rng(3).dirichlet([1.0, 1.0, 1.0], 400).T
-    plain = largest_with_friction(w, p, q, 0.0)
-    known = ~np.isnan(plain)
-    last = plain[known]
-    for alpha in (1e-9, 0.1, 0.3, 0.6, 1.0):
-        rough = largest_with_friction(w[known], p[known], q[known], alpha)
-        assert np.all(rough >= last * (1.0 - 1e-12))
-        last = rough
-    assert largest_with_friction(w[known], p[known], q[known], 1e-9) == pytest.approx(plain[known], rel=1e-6)
-
-
 def test_lengths_of_the_shortest_hands():
     assert shortest_hand(1, 2.0).length == pytest.approx(8.0, rel=1e-14)
     assert shortest_hand(2, 1.0).length == pytest.approx(8.0 * (2.0**0.5 - 1.0), rel=1e-14)

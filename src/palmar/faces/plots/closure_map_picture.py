@@ -24,7 +24,7 @@ from palmar.faces.plots.style import (
     Role,
     new_figure,
 )
-from palmar.mechanics.closure.chain import Chain, largest_hold
+from palmar.mechanics.closure.chain import Chain, Hold, largest_hold
 from palmar.models.hand import Hand
 from palmar.models.objects import Disk
 from palmar.studies.closure_map import ClosureMap, grid_map
@@ -32,8 +32,17 @@ from palmar.studies.closure_map import ClosureMap, grid_map
 Floats = NDArray[np.float64]
 Place = tuple[float, float]
 
-NODES = 601
+NODES = 401
 LEVELS = np.array([0.1, 0.2, 0.3, 0.4, 0.45, 0.5, 0.55, 0.58, 0.6])
+LABELLED = (0.2, 0.4, 0.5, 0.58)
+LABELS = {
+    "proximal_palm": ((0.35, 0.45), (0.07, 0.53)),
+    "distal_palm": ((0.8, 0.1), (0.6, 0.2), (0.5, 0.25), (0.3, 0.3)),
+    "distal_proximal": ((0.72, 0.2), (0.45, 0.35), (0.15, 0.78), (0.18, 0.6)),
+    "distal_proximal_palm": ((0.6, 0.24), (0.35, 0.38), (0.35, 0.44), (0.2, 0.58)),
+    "overall": ((0.8, 0.1), (0.6, 0.2), (0.5, 0.25), (0.15, 0.58)),
+}
+"""Where contour lines of the labelled levels carry their labels."""
 SHADES = "cividis"
 TITLES = {
     "proximal_palm": "proximal links and palm",
@@ -95,6 +104,11 @@ def _map() -> ClosureMap:
     return grid_map(NODES)
 
 
+@lru_cache(maxsize=64)
+def _largest(half_palm: float, links: tuple[float, ...]) -> Hold | None:
+    return largest_hold(Chain(half_palm, links))
+
+
 def _radius(name: str) -> float:
     return 0.5 if name == "proximal_palm" else (1.0 + 2.0**0.5) / 4.0
 
@@ -127,8 +141,11 @@ def _draw_map(axes: Axes, name: str, *, numbered: Sequence[Place] = ()) -> None:
     fills = np.concatenate([[0.0], LEVELS, [0.61]])
     axes.contourf(shares, shares, radii, levels=fills, cmap=SHADES, zorder=1.0)
     lines = axes.contour(shares, shares, radii, levels=LEVELS, colors="white", linewidths=FINE, zorder=1.5)
-    for levels, colour in (((0.2, 0.4), "white"), ((0.5, 0.58), "black")):
-        axes.clabel(lines, levels, fmt="%g", fontsize=0.85 * SMALL_SIZE, inline_spacing=2, colors=colour)
+    for level, place in zip(LABELLED, LABELS[name], strict=False):
+        colour = "white" if level < 0.45 else "black"
+        axes.clabel(
+            lines, [level], fmt="%g", fontsize=0.85 * SMALL_SIZE, inline_spacing=2, colors=colour, manual=[place]
+        )
     axes.plot([0.0, 1.0], [1.0, 0.0], color=Role.DIMENSION.line, linewidth=FINE, zorder=2.0)
     if name != "proximal_palm":
         axes.plot([0.0, 0.5], [0.5, 0.5], color="black", linewidth=NORMAL, dashes=(3, 2), zorder=2.0, clip_on=True)
@@ -164,7 +181,7 @@ def _draw_hand(page: Sheet, box: Extent, place: Place) -> float | None:
     extent = Extent(-1.02, -0.06, 1.02, 1.25)
     axes = page.inset(box, extent)
     links = tuple(each for each in (p, q) if each > 0.0)
-    hold = largest_hold(Chain(w, links))
+    hold = _largest(w, links)
     hand = Hand(palm_width=2.0 * w, finger_links=links)
     if hold is None:
         draw_hand(axes, hand, 0.0)
