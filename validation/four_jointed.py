@@ -84,6 +84,8 @@ def with_friction(count: int, rng: np.random.Generator) -> tuple[int, int, int]:
     known = ~np.isnan(limit)
     w, p, q, alpha, limit = (each[known] for each in (w, p, q, alpha, limit))
     inside = holds_with_friction(limit * (1.0 - 1e-3), w, p, q, alpha)
+    some = np.flatnonzero(~inside)  # asked again on a finer grid
+    inside[some] = holds_with_friction(limit[some] * (1.0 - 1e-3), w[some], p[some], q[some], alpha[some], 401)
     outside = holds_with_friction(limit * (1.0 + 1e-4), w, p, q, alpha)
     return limit.size, int((~inside).sum()), int(outside.sum())
 

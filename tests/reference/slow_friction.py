@@ -38,39 +38,46 @@ def proximal_alone(hands: Hands, alpha: Floats) -> Bools:
 
 
 def holds_with_friction(
-    radius: ArrayLike, palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike, friction_angle: ArrayLike
+    radius: ArrayLike,
+    palm: ArrayLike,
+    proximal: ArrayLike,
+    distal: ArrayLike,
+    friction_angle: ArrayLike,
+    nodes: int = COARSE,
 ) -> Bools:
-    """Whether palm and links, or links alone, hold the disk with a friction angle (rad) above 0; flat arrays."""
+    """Whether palm and links, or links alone, hold the disk with a friction angle (rad) above 0; flat arrays.
+
+    ``nodes`` a side of the coarsest grid.
+    """
     columns = (
         np.atleast_1d(np.asarray(each, dtype=float)) for each in (radius, palm, proximal, distal, friction_angle)
     )
     r, w, p, q, alpha = np.broadcast_arrays(*columns)
-    hands = Hands(r, w, p, q)
-    held = proximal_alone(hands, alpha)
+    held = proximal_alone(Hands(r, w, p, q), alpha)
     for i in np.flatnonzero(~held):
-        held[i] = _searched(
-            Hands(*(each[i : i + 1, None, None] for each in (r, w, p, q))), alpha[i : i + 1, None, None]
-        )
+        hand = Hands(*(each[i : i + 1, None, None] for each in (r, w, p, q)))
+        held[i] = _searched(hand, alpha[i : i + 1, None, None], nodes)
     return held
 
 
-def _searched(hand: Hands, alpha: Floats) -> bool:
+def _searched(hand: Hands, alpha: Floats, nodes: int) -> bool:
     top = float((hand.proximal + hand.distal + hand.radius).item())
     lowest = float(hand.radius.item())
     for on_palm in (True, False):
-        heights = np.array([0.0]) if on_palm else np.linspace(0.0, 1.0, COARSE) ** 2 + 1e-12
-        angles = np.linspace(0.0, 1.0, COARSE)
-        y, psi = np.meshgrid(heights, angles, indexing="ij")
+        heights = np.array([0.0]) if on_palm else np.linspace(0.0, 1.0, nodes) ** 2 + 1e-12
+        y, psi = np.meshgrid(heights, np.linspace(0.0, 1.0, nodes), indexing="ij")
         values = margin(hand, alpha, lowest + top * y[None], np.pi * psi[None])[0]
-        best = np.argsort(values, axis=None)[::-1][:STARTS]
-        for at in best:
-            if _narrowed(hand, alpha, (lowest, top), (float(y.flat[at]), float(psi.flat[at])), on_palm):
+        for at in np.argsort(values, axis=None)[::-1][: STARTS * nodes // COARSE]:
+            start = float(y.flat[at]), float(psi.flat[at]), 3.0 / nodes
+            if _narrowed(hand, alpha, (lowest, top), start, on_palm):
                 return True
     return False
 
 
-def _narrowed(hand: Hands, alpha: Floats, span: tuple[float, float], start: tuple[float, float], on_palm: bool) -> bool:
-    (lowest, top), (y, psi), half = span, start, 3.0 / COARSE
+def _narrowed(
+    hand: Hands, alpha: Floats, span: tuple[float, float], start: tuple[float, float, float], on_palm: bool
+) -> bool:
+    (lowest, top), (y, psi, half) = span, start
     steps = np.linspace(-1.0, 1.0, FINE)
     for _ in range(ZOOMS):
         heights = np.array([0.0]) if on_palm else np.maximum(y + half * steps, 1e-12)
