@@ -11,6 +11,7 @@ PRINTED = {
     "02_which_finger.py": "at least 60.21 mm",
     "03_feel_the_way.py": "380 mm: 2",
     "04_zero_gravity.py": "restitution 1.0: 102 mm at rest, or 32 mm/s",
+    "05_four_joints.py": "radii up to 177.5 mm",
 }
 
 

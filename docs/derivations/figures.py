@@ -17,7 +17,10 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 from shapely import box
 
+from palmar.faces.plots.closure_map_picture import map_picture
+from palmar.faces.plots.style import save as write_picture
 from palmar.geometry.planar_set import areal
+from palmar.mechanics.closure.shortest_hand import shortest_hand
 from palmar.mechanics.impact.three_impacts_4_2_1 import construction
 from palmar.mechanics.pushing.hand_pose import LINK_WIDTH, MOVING, hand_motion, place_links
 from palmar.mechanics.pushing.uniform_disk import secant_ratio
@@ -435,6 +438,28 @@ def free() -> None:
     save(figure, "zero_gravity")
 
 
+def four_jointed() -> None:
+    """The maps of chapter 5, and the length of the shortest hand over its number of links."""
+    write_picture(map_picture(), HERE / "four_jointed_map.svg")
+    figure, axis = plt.subplots(figsize=(7.2, 3.0), layout="constrained")
+    counts = range(1, 9)
+    lengths = [shortest_hand(each, 1.0).length for each in counts]
+    axis.axhline(np.pi, color=INK, lw=1, ls="--")
+    axis.plot(counts, lengths, color=DISK, marker="o", lw=1.5)
+    for count, length in zip(counts, lengths, strict=True):
+        axis.annotate(
+            f"{length:.3f}", (count, length), xytext=(4, 5), textcoords="offset points", color=INK, fontsize=9
+        )
+    axis.annotate("π", (8.4, np.pi), xytext=(0, -12), textcoords="offset points", color=INK)
+    axis.set(xlim=(0.7, 8.6), ylim=(3.05, 4.1), xlabel="links a finger", ylabel="length of the shortest hand / R")
+    axis.spines[["top", "right"]].set_visible(False)
+    axis.spines[["left", "bottom"]].set_color(INK)
+    axis.tick_params(colors=INK)
+    axis.xaxis.label.set_color(INK)
+    axis.yaxis.label.set_color(INK)
+    save(figure, "four_jointed_links")
+
+
 def main() -> None:
     """Write all figures."""
     plt.switch_backend("svg")
@@ -446,6 +471,7 @@ def main() -> None:
     fingertip()
     certified()
     free()
+    four_jointed()
 
 
 if __name__ == "__main__":

@@ -8,21 +8,31 @@ from typing import Annotated
 from cyclopts import App, Parameter
 
 from palmar.errors import InputError
+from palmar.faces.cli.closure_map import closure_map_command
+from palmar.faces.cli.jointed_texts import jointed_text
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, number, show
 from palmar.faces.cli.texts import closure_text, titled
+from palmar.faces.jointed_record import jointed_record
 from palmar.faces.records import closure_record, sizing_record
 from palmar.faces.words import sizing_line
 from palmar.models.shipped import open_case
 from palmar.studies.closure import closure_answer
+from palmar.studies.jointed_closure import bends, jointed_closure
 from palmar.studies.sizing import size_hand
 
 app = App(name="closure")
+app.command(closure_map_command, name="map")
 
 
 @app.default
 def closure(case: CaseName, *, json: AsJson = False, check: Check = False) -> None:
     """Which radii the hand holds, structurally and with friction, and whether it holds this object."""
     name, given = open_case(case)
+    if bends(given):
+        bent = jointed_closure(given)
+        show(titled(name, given, jointed_text(given, bent)), jointed_record(bent), json)
+        answer(bent.object.structural or bent.object.frictional, check)
+        return
     result = closure_answer(given)
     show(titled(name, given, closure_text(given, result)), closure_record(result), json)
     answer(result.object.structural or result.object.frictional, check)

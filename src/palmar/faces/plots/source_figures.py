@@ -17,6 +17,7 @@ from palmar.faces.plots.source_chapter_2 import (
 )
 from palmar.faces.plots.source_chapter_3 import pre_image, spiral_coordinates
 from palmar.faces.plots.source_chapter_4 import zero_gravity_pre_image
+from palmar.faces.plots.source_chapter_5 import all_cases, case_1, case_2, case_3, case_4, optimal_hands
 from palmar.faces.plots.source_polygons import any_orientation, particular_orientations
 from palmar.faces.plots.style import save
 
@@ -32,6 +33,12 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "3.2": pre_image,
     "3.3": spiral_coordinates,
     "4.4": zero_gravity_pre_image,
+    "5.3": case_1,
+    "5.4": case_2,
+    "5.5": case_3,
+    "5.6": case_4,
+    "5.7": all_cases,
+    "5.8": optimal_hands,
 }
 
 

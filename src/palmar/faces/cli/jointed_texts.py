@@ -1,0 +1,63 @@
+"""Closure of jointed fingers, and maps of it, as text for the terminal."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from palmar.faces.cli.texts import notes, table
+from palmar.models.case import Case
+from palmar.studies.closure import RadiusRange
+from palmar.studies.closure_map import ClosureMap
+from palmar.studies.jointed_closure import IN_WORDS, JointedClosure
+
+
+def jointed_text(case: Case, result: JointedClosure) -> str:
+    """The answer of `palmar closure CASE` for fingers with joints."""
+    held = {True: "this object: held", False: "this object: not held"}
+    friction = f"with friction {case.contact.friction:.3g}"
+    rows = [
+        ("radii held without friction", _radii(result.structural), held[result.object.structural]),
+        (f"radii held {friction}", _radii(result.frictional), held[result.object.frictional]),
+        ("fingers kept straight, without friction", _radii(result.straight[0]), ""),
+        (f"fingers kept straight, {friction}", _radii(result.straight[1]), ""),
+    ]
+    lines = [table(rows), "", f"This object: {result.object.reason}."]
+    if result.cases:
+        heads = ("Held without friction by", "radii")
+        known = [(IN_WORDS[name], " and ".join(map(_span, each)) or "none") for name, each in result.cases.items()]
+        lines += ["", table([heads, *known])]
+    return "\n".join(each.rstrip() for each in "\n".join(lines + notes(result.notes)).split("\n"))
+
+
+def map_text(result: ClosureMap) -> str:
+    """The answer of `palmar closure map`: each point of a few, else the best hand of each case."""
+    count = result.distal.size
+    if count <= POINTS_SHOWN:
+        heads = ("distal", "proximal", *(_title(name) for name in result.radius_max))
+        columns = [result.distal, result.proximal, *result.radius_max.values()]
+        return table([heads, *(tuple(map(_number, row)) for row in zip(*columns, strict=True))])
+    rows: list[tuple[str, ...]] = [("case", "largest radius", "distal", "proximal")]
+    for name, radii in result.radius_max.items():
+        best = int(np.nanargmax(radii)) if np.isfinite(radii).any() else None
+        found = ("none", "-", "-") if best is None else (radii[best], result.distal[best], result.proximal[best])
+        rows.append((_title(name), *(each if isinstance(each, str) else _number(each) for each in found)))
+    return f"{count} hands, lengths as shares of half the hand\n\n{table(rows)}"
+
+
+POINTS_SHOWN = 40
+
+
+def _title(name: str) -> str:
+    return name.replace("_", ", ")
+
+
+def _number(value: float) -> str:
+    return "-" if np.isnan(value) else f"{value:.7g}"
+
+
+def _span(ends: tuple[float, float]) -> str:
+    return f"{1e3 * ends[0]:.1f} to {1e3 * ends[1]:.1f} mm"
+
+
+def _radii(radii: RadiusRange | None) -> str:
+    return "none" if radii is None else _span((radii.radius_min, radii.radius_max))

@@ -1,0 +1,58 @@
+"""Closure of jointed fingers, and maps of it, as the JSON records of the command line."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from palmar.mechanics.closure.chain import Hold
+from palmar.studies.closure import RadiusRange
+from palmar.studies.closure_map import ClosureMap
+from palmar.studies.jointed_closure import Intervals, JointedClosure, carriers
+
+
+def jointed_record(result: JointedClosure) -> dict[str, Any]:
+    """`palmar closure CASE --json` for fingers with joints."""
+    verdict = result.object
+    return {
+        "structural": _range(result.structural),
+        "frictional": _range(result.frictional),
+        "object": {"structural": verdict.structural, "frictional": verdict.frictional, "reason": verdict.reason},
+        "cases": {name: _case(known) for name, known in result.cases.items()},
+        "largest": _hold(result.largest),
+        "kept_straight": {"structural": _range(result.straight[0]), "frictional": _range(result.straight[1])},
+        "changes": [],
+        "slopes": [],
+        "notes": list(result.notes),
+    }
+
+
+def map_record(result: ClosureMap) -> dict[str, Any]:
+    """`palmar closure map --json`: flat lists; no grasp or no such hand is NaN here and null in JSON."""
+    return {
+        "distal": result.distal.tolist(),
+        "proximal": result.proximal.tolist(),
+        "radius_max": {name: each.tolist() for name, each in result.radius_max.items()},
+        "radius_min": {name: each.tolist() for name, each in result.radius_min.items()},
+    }
+
+
+def _range(radii: RadiusRange | None) -> dict[str, float] | None:
+    return None if radii is None else {"radius_min_m": radii.radius_min, "radius_max_m": radii.radius_max}
+
+
+def _case(known: Intervals) -> dict[str, Any] | None:
+    if not known:
+        return None
+    ends = {"radius_min_m": known[0][0], "radius_max_m": known[-1][1]}
+    return ends if len(known) == 1 else {**ends, "intervals_m": [list(each) for each in known]}
+
+
+def _hold(hold: Hold | None) -> dict[str, Any] | None:
+    if hold is None:
+        return None
+    return {
+        "radius_m": hold.radius,
+        "centre_m": [0.0, hold.height],
+        "right_joints_m": hold.joints.tolist(),
+        "contacts": carriers(hold),
+    }
