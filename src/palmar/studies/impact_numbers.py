@@ -144,11 +144,12 @@ def _softness(mass: float, speed: float, stiffness: float, zeta: float) -> Softn
 
 def _bang_bang(case: Case, asked: Asked, angle: float, foot: float, speed: float, inertia: float) -> BangBang | None:
     """From rest at the open angle."""
-    if asked.torque is None:
+    torque = case.hand.finger_torque if asked.torque is None else asked.torque
+    if torque is None:
         return None
     if inertia == inf:
         raise InputError("--torque", None, "needs the finger's mass: hand.finger_mass_kg")
-    found = touch_down(angle - case.hand.open, speed / foot, asked.torque, inertia)
+    found = touch_down(angle - case.hand.open, speed / foot, torque, inertia)
     return BangBang(
         case.hand.open + float(found.switch_angle), float(found.switch_time), float(found.time),
         float(found.arrival) * foot,
