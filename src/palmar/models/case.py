@@ -55,7 +55,7 @@ class Case(Value):
     def _torque_in_free_space(self) -> Self:
         if self.hand.finger_torque is not None and self.support.kind is SupportKind.TABLE:
             raise ValueError(
-                'hand.finger_torque_N_m is for support.kind = "free": on a table fingers close slowly and as strong as need be'
+                'hand.finger_torque_N_m is for support.kind = "free": on a table fingers are slow, and strong enough'
             )
         return self
 

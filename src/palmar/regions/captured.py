@@ -44,7 +44,7 @@ DEEPEST = 2.0
 CELLS = 96
 """Of the coarse grid, all of whose nodes are asked about, across."""
 MOST_EVENTS = 2_000
-"""Of one start, after which it counts as lost: a disk that rattles so long in the throat is within rounding of the outline."""
+"""Of one start, after which it counts as lost: what rattles so long in the throat is next to the outline."""
 TURN = 0.5 * (5.0**0.5 - 1.0)
 """The golden section: its multiples, without whole numbers, fill the unit interval evenly."""
 
@@ -154,9 +154,7 @@ class Captured:
         held = np.ones(len(x), bool) if those is None else those.copy()
         some = np.flatnonzero(held)
         places = np.column_stack([x[some], y[some]])
-        ends = capture_all(
-            self.hand, places, self._velocity, es[some], law=self._law, most_events=MOST_EVENTS
-        )
+        ends = capture_all(self.hand, places, self._velocity, es[some], law=self._law, most_events=MOST_EVENTS)
         held[some] = ends.codes <= Outcome.CAGED.code
         self.starts += len(some)
         return held

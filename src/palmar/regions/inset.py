@@ -25,7 +25,7 @@ HALVINGS = 6
 
 
 def refined(ring: Floats, known: Bools, inside: Asked, margin: float, deepest: float) -> tuple[Floats, Floats]:
-    """The ring (N, 2) with the corners it needs, the set on its left; and places (M, 2) half a margin inside it that stayed outside.
+    """The ring (N, 2) with the corners it needs, the set on its left; and places (M, 2) inside it that stayed out.
 
     ``known`` (N,): edges, from each corner to the next, that are none of the outline. ``deepest``: how far inwards
     (m) one goes at once.
@@ -96,7 +96,7 @@ def _back_in(
 
 
 def _with_corners(ring: Floats, key: Floats, found: Floats) -> tuple[Floats, Bools]:
-    """The ring with corners put at the places found, or for keys that are a corner's moved there; which corners these are."""
+    """The ring with corners put at the places found, or moved there for keys of corners; which corners these are."""
     moved = key == np.floor(key)
     ring, fresh = ring.copy(), np.zeros(len(ring), bool)
     own = key[moved].astype(np.int64)

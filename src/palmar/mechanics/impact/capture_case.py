@@ -39,5 +39,7 @@ def impact_law_of(case: Case) -> ImpactLaw:
     inertia = inf if hand.finger_mass is None else rod_inertia(hand.finger_mass, hand.finger_length)
     torque = inf if hand.finger_torque is None else hand.finger_torque
     if torque < inf and hand.fingers is Fingers.COLLIDING:
-        raise NotCoveredError('hand.finger_torque_N_m: slowed fingers are only simulated with hand.fingers = "crossing"')
+        raise NotCoveredError(
+            'hand.finger_torque_N_m: slowed fingers are only simulated with hand.fingers = "crossing"'
+        )
     return ImpactLaw(case.object.mass, inertia, torque, case.contact.friction)

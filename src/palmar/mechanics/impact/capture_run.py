@@ -246,7 +246,7 @@ def capture_on(
     if not isfinite(x + y + vx + vy + spin) or overlaps(hand, at, SKIN * reach):
         return INVALID
     code = run(hand, law, at, e, most_events, reach, fastest)
-    if law.torque < inf and (code == ESCAPED or code == MISSED):
+    if law.torque < inf and code in (ESCAPED, MISSED):
         _fingers_to_their_end(hand, law, at)
     note(at, ENDS, -1, 0, s[VX], s[VY], s[SPIN])
     return code

@@ -45,7 +45,9 @@ class FreeWorld:
         found = capture_all(self.hand, rows[:, :2], rows[:, 3:], self.restitution, law=self.law)
         return Ends(found.codes, np.column_stack([found.ends[:, :2], rows[:, 2]]), found.ends[:, 7:9])
 
-    def start(self, start: ArrayLike) -> tuple[Outcome, tuple[float, float, float], tuple[float, float], tuple[Event, ...]]:
+    def start(
+        self, start: ArrayLike
+    ) -> tuple[Outcome, tuple[float, float, float], tuple[float, float], tuple[Event, ...]]:
         """Outcome, final pose (x, y, theta), final base angles (right, left) and events of one start (5,).
 
         A lost disk is followed until the fingers end.
@@ -92,7 +94,7 @@ class FreeWorld:
         return float(x), float(y), theta + turned
 
     def _angles(self, log: Floats, times: Floats) -> Floats:
-        """Base angles (N, 2; rad) of the right and the left finger at times (s): as prescribed, or as impacts slowed them."""
+        """Base angles (N, 2; rad), right and left, at times (s): as prescribed, or as impacts have slowed the fingers."""
         if self.law.torque == inf:
             return np.column_stack([np.interp(times, self.hand.times, self.hand.angles[:, f, 0]) for f in (0, 1)])
         k = np.maximum(np.searchsorted(log[:, 0], times, side="right") - 1, 0)
