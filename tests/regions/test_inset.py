@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 from palmar.geometry.planar_set import outline
-from palmar.regions.inset import refined
+from palmar.regions.inset import bulged, refined
 
 MARGIN = 1.0 / 256.0
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
@@ -79,3 +79,11 @@ def test_places_differ_in_number_where_they_are_asked_about_for_the_first_time()
 
     refined(SQUARE, NONE, inside, MARGIN, 0.25)
     assert len(np.unique(seen[0])) == len(seen[0]) >= 4 * 256
+
+
+def test_a_corner_of_the_set_that_a_chord_cut_off_is_put_back() -> None:
+    cut = np.array([[0.0, 0.0], [0.9, 0.0], [1.0, 0.1], [1.0, 1.0], [0.0, 1.0]])
+    line, known = bulged(cut, np.zeros(5, bool), notched(0.5, 0.0), MARGIN)
+    assert len(line) == len(known) == 6
+    assert outline(line).area == pytest.approx(1.0, abs=1e-3)
+    assert refined(line, known, notched(0.5, 0.0), MARGIN, 0.25)[1].size == 0

@@ -25,7 +25,7 @@ from palmar.models.guarantee import Guarantee
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
 from palmar.regions.boundary_search import Box, Nodes, nodes_inside
-from palmar.regions.inset import refined
+from palmar.regions.inset import bulged, refined
 from palmar.regions.outline import outlined
 from palmar.regions.region import Model, Region
 
@@ -41,6 +41,8 @@ MARGIN = 1.0 / 32.0
 """What is returned lies inside the outline by this part of the spacing; a curve half-way is asked about."""
 DEEPEST = 2.0
 """How far inwards, in spacings, one goes at once from a place of that boundary that is lost."""
+BULGES, BULGE = 4, 1.0 / 8.0
+"""How often corners that chords cut off are put back, and by which part of the margin they stick out at least."""
 CELLS = 96
 """Of the coarse grid, all of whose nodes are asked about, across."""
 MOST_EVENTS = 2_000
@@ -104,6 +106,8 @@ def _looked_at(found: MultiPolygon, asked: Captured, margin: float, deepest: flo
         for each in (right.exterior, *right.interiors):
             ring = shapely.get_coordinates(each)[:-1]
             on_axis = (ring[:, 0] == 0.0) & (np.roll(ring[:, 0], -1) == 0.0)
+            for _ in range(BULGES):
+                ring, on_axis = bulged(ring, on_axis, asked.caught_between, BULGE * margin)
             line, left = refined(ring, on_axis, asked.caught_between, margin, deepest)
             whole = areal(whole ^ outline(line))
             lost.append(left)
@@ -116,9 +120,8 @@ def _inner(found: MultiPolygon, case: Case, margin: float) -> MultiPolygon:
         return EMPTY
     flat = case.hand.open == 0.0 and case.hand.half_thickness == 0.0
     left, low, right, _ = found.bounds
-    below = affinity.translate(
-        found.intersection(shapely.box(left, low, right, low + 2.0 * margin)), 0.0, -2.0 * margin
-    )
+    strip = found.intersection(shapely.box(left, low, right, low + 0.25 * margin))
+    below = shapely.union(strip, affinity.translate(strip, 0.0, -2.0 * margin))
     wide = shapely.union(found, below.convex_hull) if flat else found
     return areal(wide.buffer(-margin).intersection(found))
 

@@ -24,8 +24,29 @@ ROUNDS = 12
 HALVINGS = 6
 
 
+def bulged(ring: Floats, known: Bools, inside: Asked, margin: float) -> tuple[Floats, Bools]:
+    """The ring, and ``known``, with a corner out from the middle of edges beyond which, by a margin, the set goes on."""
+    span = np.roll(ring, -1, axis=0) - ring
+    length = np.hypot(span[:, 0], span[:, 1])
+    out = np.stack([span[:, 1], -span[:, 0]], axis=1) / np.where(length > 0.0, length, 1.0)[:, None]
+    edges = np.flatnonzero(~known & (length > 2.0 * margin))
+    base, out = ring[edges] + 0.5 * span[edges], out[edges]
+    beyond = inside(base[:, 0] + margin * out[:, 0], base[:, 1] + margin * out[:, 1], edges)
+    edges, base, out = edges[beyond], base[beyond], out[beyond]
+    low, high = np.full(len(edges), margin), 0.5 * length[edges]
+    for _ in range(HALVINGS if len(edges) else 0):
+        middle = 0.5 * (low + high)
+        at = base + middle[:, None] * out
+        yes = inside(at[:, 0], at[:, 1], edges)
+        low, high = np.where(yes, middle, low), np.where(yes, high, middle)
+    ring, fresh = _with_corners(ring, edges + 0.5, base + low[:, None] * out)
+    wide = np.zeros(len(ring), bool)
+    wide[~fresh] = known
+    return ring, wide
+
+
 def refined(ring: Floats, known: Bools, inside: Asked, margin: float, deepest: float) -> tuple[Floats, Floats]:
-    """The ring (N, 2) with the corners it needs, the set on its left; and places (M, 2) inside it that stayed out.
+    """The ring (N, 2) with the corners it needs, the set on its left; places (M, 2) inside it that stayed out.
 
     ``known`` (N,): edges, from each corner to the next, that are none of the outline. ``deepest``: how far inwards
     (m) one goes at once.
