@@ -39,7 +39,7 @@ def bulged(ring: Floats, known: Bools, inside: Asked, margin: float) -> tuple[Fl
         at = base + middle[:, None] * out
         yes = inside(at[:, 0], at[:, 1], edges)
         low, high = np.where(yes, middle, low), np.where(yes, high, middle)
-    ring, fresh = _with_corners(ring, edges + 0.5, base + low[:, None] * out)
+    ring, fresh = _with_corners(ring, edges.astype(np.float64) + 0.5, base + low[:, None] * out)
     wide = np.zeros(len(ring), bool)
     wide[~fresh] = known
     return ring, wide
