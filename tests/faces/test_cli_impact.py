@@ -122,3 +122,56 @@ def test_cases_that_do_not_allow_it_are_told(palmar, light, old, new, said):
     answer = palmar("impact", light, "--stiffness", 1)
     assert (answer.status, answer.out) == (2, "")
     assert said in answer.err and answer.err.count("\n") == 1
+
+
+def test_letting_go_helps_only_within_a_quarter_period(palmar, light):
+    early = palmar("impact", light, "--speed", "200", "--stiffness", "5", "--trigger", "0.5,0", "--json").record[
+        "let_go"
+    ]
+    late = palmar("impact", light, "--speed", "200", "--stiffness", "5", "--trigger", "0.5,50", "--json").record[
+        "let_go"
+    ]
+    assert late["peak_n"] == pytest.approx(late["without_n"]) == pytest.approx(0.2 * sqrt(5000.0 * 0.5))
+    assert 0.5 < early["peak_n"] < 0.9 * early["without_n"]
+
+
+def test_too_high_a_gain_grows_and_a_low_one_dies_out(palmar, light):
+    def told(gain: float):
+        given = ("--stiffness", "5", "--damping", "0.1", "--lag", "2", "--gain", str(gain))
+        return palmar("impact", light, *given, "--json").record["feedback"]
+
+    limit = told(1.0)["gain_limit"]
+    below, above = told(0.99 * limit), told(1.01 * limit)
+    assert below["growth_per_s"] < 0.0 < above["growth_per_s"]
+    assert below["doubling_s"] is None
+    assert above["doubling_s"] > 0.0
+
+
+def test_a_paddle_stops_the_object_dead(palmar, light):
+    given = ("--speed", "100", "--returned", "0", "--stroke", "50", "--acceleration", "200")
+    paddle = palmar("impact", light, *given, "--json").record["paddle"]
+    assert "paddle's mirror gain" in palmar("impact", light, *given).out
+    assert paddle["mirror_gain"] == pytest.approx(-0.6 / 1.6)
+    # The paddle yields at u = -g v; the object, struck at v - u, returns with e (v - u) against it.
+    yields = -paddle["paddle_speed_m_s"]
+    assert 0.6 * (0.1 - yields) - yields == pytest.approx(paddle["returned_m_s"], abs=1e-12) == pytest.approx(0.0)
+    assert paddle["quadratic"]["force_n"] == pytest.approx(0.5 * 0.1**2 / 0.1)
+    assert paddle["sinusoidal"]["force_n"] == pytest.approx(2.0 * paddle["quadratic"]["force_n"])
+    assert paddle["run_up_m"] == pytest.approx(0.025)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (("--gain", "2", "--stiffness", "5"), "--lag"),
+        (("--trigger", "1,1"), "--stiffness"),
+        (("--trigger", "1,-1", "--stiffness", "5"), "must be positive"),
+        (("--returned", "0"), "--speed"),
+        (("--stroke", "10", "--stiffness", "5"), "--returned"),
+    ],
+)
+def test_what_softening_lacks_is_said_in_one_line(palmar, light, given, words):
+    done = palmar("impact", light, *given)
+    assert done.status == 2
+    assert words in done.err
+    assert done.err.count("\n") == 1

@@ -9,6 +9,7 @@ from palmar.behaviours.close_coupled import CoupledClosing
 from palmar.behaviours.curl_and_close import CurlAndClose
 from palmar.behaviours.jointed import JointedReflex
 from palmar.behaviours.match_velocity import ArmLimits, MatchVelocity
+from palmar.behaviours.matched_return import MatchedReturn
 from palmar.behaviours.move_and_grab import MoveAndGrab
 from palmar.behaviours.move_while_closing import MoveWhileClosing
 from palmar.behaviours.palm_reflex import PalmReflex
@@ -51,6 +52,8 @@ def reflex_of(case: Case) -> Reflex[Any]:
         return CoupledClosing(drive, given.ratio, coupled_limit(case))
     if name is BehaviourName.MATCH_VELOCITY:
         return _matching(case, drive)
+    if name is BehaviourName.MATCHED_RETURN:
+        return _returning(case, drive)
     places = case_places(case)
     if name is BehaviourName.JOINTED:
         check_two_links(case)
@@ -80,6 +83,18 @@ def _matching(case: Case, drive: Drive) -> MatchVelocity:
             raise NotCoveredError('behaviour "match_velocity": this hand catches no disk at rest, state place_mm')
         place = circle.centre
     return MatchVelocity(drive, arm, place, float(hand.closures[:, 0].min()), given.delay, given.patience)
+
+
+def _returning(case: Case, drive: Drive) -> MatchedReturn:
+    """The disk strikes the palm, a line, with its centre a radius before it."""
+    from palmar.mechanics.impact.capture_case import capture_hand_of
+
+    given, hand, e = case.behaviour, capture_hand_of(case), case.contact.restitution
+    if len(hand.closures) == 0:
+        raise NotCoveredError('behaviour "matched_return": this hand never shuts about the disk')
+    arm, places = ArmLimits(given.speed, given.acceleration, given.reach), case_places(case)
+    hold = float(hand.closures[:, 0].min())
+    return MatchedReturn(drive, places, arm, e / (1.0 + e), hand.radius, hold, given.delay, given.patience)
 
 
 def _jointed(drive: Drive, places: SensorPlaces, preshape: float) -> JointedReflex:

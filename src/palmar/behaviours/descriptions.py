@@ -75,6 +75,14 @@ DESCRIPTIONS: dict[BehaviourName, Description] = {
         ("speed", "acceleration", "reach", "place", "delay", "patience"),
         "an arm and a tracker (--track; else a perfect one, as late as delay says); a free disk", "4.3.1",
     ),
+    BehaviourName.MATCHED_RETURN: Description(
+        "Yield to a tracked free disk that comes to the palm, so that the impact stops it, then close on it.",
+        ("Look: end, and say why, if the disk does not come, or speed, reach or patience do not allow what follows.",
+         "Go back at e / (1 + e) of the disk's speed, the palm its mirror; along the palm at its speed.",
+         "Once the tracker or the palm tells of the impact: stop going back, close, then brake."),
+        ("speed", "acceleration", "reach", "delay", "patience"),
+        "an arm and a tracker (--track; else a perfect one, as late as delay says); a free disk", "4.3.2",
+    ),
     BehaviourName.FOLLOW_POLICY: Description(
         "Carry out the plan that palmar plan finds for a disk of uncertainty about the case's start.",
         ("For each move: straight back, sideways, fingers to the opening, forward.",

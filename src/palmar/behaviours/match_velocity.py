@@ -114,10 +114,10 @@ class MatchVelocity:
         left = state.closing_since + self.hold - seen.time
         most = self.arm.acceleration * dt
         if left > INSTANT and not all(seen.stalled):
-            state = replace(state, velocity=_towards(state.kept, state.velocity, most))
+            state = replace(state, velocity=towards(state.kept, state.velocity, most))
             return state, self.drive.close("at its place: close on the move", state.velocity, left)
         if state.velocity != (0.0, 0.0):
-            state = replace(state, velocity=_towards((0.0, 0.0), state.velocity, most))
+            state = replace(state, velocity=towards((0.0, 0.0), state.velocity, most))
             return state, self.drive.close("shut: brake", state.velocity)
         return state, self.drive.close_to_the_end(seen, "shut: close on")
 
@@ -133,7 +133,7 @@ class MatchVelocity:
         aim = _within(wanted, (quick * off[0] / far, quick * off[1] / far), limits.speed) if far > 0.0 else wanted
         most = limits.acceleration * dt
         near = far <= NEAR and hypot(wanted[0] - velocity[0], wanted[1] - velocity[1]) <= STEPS * most
-        return _towards(aim, velocity, most), near
+        return towards(aim, velocity, most), near
 
     def _leaves(self, arm: Vector, taken: Vector, disk: Vector, closes: bool) -> bool:
         """Whether the arm could no longer stop within its reach, after closing if it closes now."""
@@ -159,7 +159,7 @@ class MatchVelocity:
         return None
 
 
-def _towards(aim: Vector, velocity: Vector, most: float) -> Vector:
+def towards(aim: Vector, velocity: Vector, most: float) -> Vector:
     """``aim``, or the velocity changed by ``most`` (m/s) in its direction."""
     dx, dy = aim[0] - velocity[0], aim[1] - velocity[1]
     change = hypot(dx, dy)

@@ -35,6 +35,8 @@ class BehaviourName(Enum):
     """Close base and distal joints together, at a fixed ratio of rates (section 5.3.1)."""
     MATCH_VELOCITY = "match_velocity"
     """Fly along with a tracked free disk, bring it to its place in the hand, and close on it (section 4.3.1)."""
+    MATCHED_RETURN = "matched_return"
+    """Yield to a tracked free disk that comes to the palm, so that the impact stops it, and close on it (section 4.3.2)."""
     FOLLOW_POLICY = "follow_policy"
     """Carry out the plan of ``palmar plan``: approach until a sensor fires, again if need be, then close (section 3.4)."""
 

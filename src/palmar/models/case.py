@@ -15,7 +15,7 @@ from palmar.models.hand import Hand
 from palmar.models.objects import Object
 from palmar.models.quantity import Coordinate, Point, Real, Unit, Value
 from palmar.models.sensors import Sensors
-from palmar.models.support import Support
+from palmar.models.support import Support, SupportKind
 
 
 class Start(Value):
@@ -49,6 +49,14 @@ class Case(Value):
     @model_validator(mode="after")
     def _sensors_on_the_hand(self) -> Self:
         self.sensors.stretches(self.hand)
+        return self
+
+    @model_validator(mode="after")
+    def _torque_in_free_space(self) -> Self:
+        if self.hand.finger_torque is not None and self.support.kind is SupportKind.TABLE:
+            raise ValueError(
+                'hand.finger_torque_N_m is for support.kind = "free": on a table fingers are slow, and strong enough'
+            )
         return self
 
     @model_validator(mode="after")

@@ -44,6 +44,8 @@ class Hand(Value):
     finger_rate: Annotated[Real, Field(gt=0.0, le=1000.0), Unit.DEGREE_PER_SECOND] = Unit.DEGREE_PER_SECOND.to_si(30.0)
     finger_mass: Annotated[Real | None, Field(gt=0.0, le=1e6), Unit.KILOGRAM] = None
     """Mass of one finger; absent = heavy fingers that are not slowed."""
+    finger_torque: Annotated[Real | None, Field(gt=0.0, le=1e6), Unit.NEWTON_METRE] = None
+    """Largest torque of the motor that brings a finger back to its rate after an impact; absent = it is back at once."""
     joint_limits: Annotated[tuple[tuple[Angle, Angle], ...] | None, Unit.DEGREE] = None
     """(lowest, highest) angle of each joint, base joint first; absent = no limits."""
 
@@ -82,6 +84,8 @@ class Hand(Value):
     def _fits_together(self) -> Self:
         if self.half_thickness >= self.finger_length:
             raise ValueError("finger_thickness_mm must be less than twice the finger's length")
+        if self.finger_torque is not None and self.finger_mass is None:
+            raise ValueError("finger_torque_N_m needs finger_mass_kg: a heavy finger is not slowed")
         if self.joint_limits is not None:
             if len(self.joint_limits) != len(self.finger_links):
                 raise ValueError(

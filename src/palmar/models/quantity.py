@@ -26,6 +26,7 @@ class Unit(Enum):
     DEGREE = ("deg", "deg", math.pi, 180.0)
     DEGREE_PER_SECOND = ("deg_s", "deg/s", math.pi, 180.0)
     KILOGRAM = ("kg", "kg", 1.0, 1.0)
+    NEWTON_METRE = ("N_m", "N m", 1.0, 1.0)
     SECOND = ("s", "s", 1.0, 1.0)
 
     def __init__(self, suffix: str, printed: str, factor: float, divisor: float) -> None:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, affinity
 
 from palmar.errors import NotCoveredError
-from palmar.geometry.planar_set import EMPTY, areal, grown
+from palmar.geometry.planar_set import EMPTY, areal, grown, outline, with_mirror_image
 from palmar.mechanics.impact.capture import capture_all
 from palmar.mechanics.impact.capture_case import capture_hand_of, impact_law_of
 from palmar.mechanics.impact.finger_motion import CaptureHand
@@ -24,8 +24,8 @@ from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
-from palmar.regions.boundary_search import Box, nodes_inside
-from palmar.regions.closing_sampled import COARSE
+from palmar.regions.boundary_search import Box, Nodes, nodes_inside
+from palmar.regions.inset import bulged, refined
 from palmar.regions.outline import outlined
 from palmar.regions.region import Model, Region
 
@@ -35,8 +35,20 @@ SPACING, FINEST = 1.0 / 128.0, 1.0 / 4096.0
 """Default and least spacing of starts at the boundary, in finger lengths."""
 RESTITUTIONS = 9
 """Of a range, evenly spaced."""
-MARGIN = 1.0 / 16.0
-"""What is returned lies inside the outline by this part of the spacing."""
+BETWEEN = 7
+"""Values, besides the ends of a range, at which each place of the returned boundary is asked about."""
+MARGIN = 1.0 / 32.0
+"""What is returned lies inside the outline by this part of the spacing; a curve half-way is asked about."""
+DEEPEST = 2.0
+"""How far inwards, in spacings, one goes at once from a place of that boundary that is lost."""
+BULGES, BULGE = 4, 1.0 / 8.0
+"""How often corners that chords cut off are put back, and by which part of the margin they stick out at least."""
+CELLS = 96
+"""Of the coarse grid, all of whose nodes are asked about, across."""
+MOST_EVENTS = 2_000
+"""Of one start, after which it counts as lost: what rattles so long in the throat is next to the outline."""
+TURN = 0.5 * (5.0**0.5 - 1.0)
+"""The golden section: its multiples, without whole numbers, fill the unit interval evenly."""
 
 
 def captured_region(case: Case, closure: Closure, tolerance: float | None) -> Region:
@@ -52,8 +64,11 @@ def captured_region(case: Case, closure: Closure, tolerance: float | None) -> Re
     box = _box(case, hand)
     wanted = max(tolerance or SPACING * length, FINEST * length)
     nodes = nodes_inside(asked.caught, box, max(0, ceil(log2(box.width / box.cells / wanted))))
-    found = outlined(asked.caught, nodes, (-0.5 * box.width, 0.0))
-    centre = _inner(found, case, MARGIN * nodes.step)
+    margin = MARGIN * nodes.step
+    found, lost = _looked_at(_traced(asked, nodes, box), asked, margin, DEEPEST * nodes.step)
+    if box.mirrored:
+        found, lost = with_mirror_image(found), np.concatenate([lost, lost * [-1.0, 1.0]])
+    centre = areal(_inner(found, case, margin).difference(shapely.MultiPoint(lost).buffer(2.0 * margin)))
     whole, flattening = (EMPTY, 0.0) if centre.is_empty else grown(centre, hand.radius, 1e-3 * hand.radius)
     es = asked.restitutions
     between = f"{len(es)} values from {es[0]:g} to {es[-1]:g}" if len(es) > 1 else f"{es[0]:g}"
@@ -70,9 +85,33 @@ def captured_region(case: Case, closure: Closure, tolerance: float | None) -> Re
             f"{asked.starts} simulated starts, {1e3 * nodes.step:.3g} mm apart, restitution {between}",
             *_notes(case),
         ),
-        outer=areal(found.buffer(MARGIN * nodes.step)),
+        outer=areal(found.buffer(margin)),
         spacing=nodes.step,
     )
+
+
+def _traced(asked: Captured, nodes: Nodes, box: Box) -> MultiPolygon:
+    """The outline of the nodes; of a set that is its own mirror image the half right of the axis."""
+    if not box.mirrored:
+        return outlined(asked.caught, nodes, (-0.5 * box.width, 0.0))
+    right = Nodes(nodes.held[:, nodes.held.shape[1] // 2 :], nodes.step)
+    return outlined(asked.caught, right, (0.0, 0.0))
+
+
+def _looked_at(found: MultiPolygon, asked: Captured, margin: float, deepest: float) -> tuple[MultiPolygon, Floats]:
+    """The set with the corners that its inset needs; places (M, 2) of the inset that are lost nevertheless."""
+    whole, lost = EMPTY, [np.empty((0, 2))]
+    for polygon in found.geoms:
+        right = shapely.geometry.polygon.orient(polygon)
+        for each in (right.exterior, *right.interiors):
+            ring = shapely.get_coordinates(each)[:-1]
+            on_axis = (ring[:, 0] == 0.0) & (np.roll(ring[:, 0], -1) == 0.0)
+            for _ in range(BULGES):
+                ring, on_axis = bulged(ring, on_axis, asked.caught_between, BULGE * margin)
+            line, left = refined(ring, on_axis, asked.caught_between, margin, deepest)
+            whole = areal(whole ^ outline(line))
+            lost.append(left)
+    return whole, np.concatenate(lost)
 
 
 def _inner(found: MultiPolygon, case: Case, margin: float) -> MultiPolygon:
@@ -81,9 +120,8 @@ def _inner(found: MultiPolygon, case: Case, margin: float) -> MultiPolygon:
         return EMPTY
     flat = case.hand.open == 0.0 and case.hand.half_thickness == 0.0
     left, low, right, _ = found.bounds
-    below = affinity.translate(
-        found.intersection(shapely.box(left, low, right, low + 2.0 * margin)), 0.0, -2.0 * margin
-    )
+    strip = found.intersection(shapely.box(left, low, right, low + 0.25 * margin))
+    below = shapely.union(strip, affinity.translate(strip, 0.0, -2.0 * margin))
     wide = shapely.union(found, below.convex_hull) if flat else found
     return areal(wide.buffer(-margin).intersection(found))
 
@@ -100,10 +138,28 @@ class Captured:
         """Which starts (N,), (N,), m, are caught; the largest restitution is asked about first."""
         held = np.ones(len(x), bool)
         for e in self.restitutions[::-1]:
-            some = np.flatnonzero(held)
-            ends = capture_all(self.hand, np.column_stack([x[some], y[some]]), self._velocity, float(e), law=self._law)
-            held[some] = ends.codes <= Outcome.CAGED.code
-            self.starts += len(some)
+            held = self._held(x, y, np.full(len(x), e), held)
+        return held
+
+    def caught_between(self, x: Floats, y: Floats, numbers: NDArray[np.int64]) -> NDArray[np.bool_]:
+        """``caught``, of a range at its ends and, for each place by its number, at other values in between."""
+        low, high = self.restitutions[0], self.restitutions[-1]
+        held = self._held(x, y, np.full(len(x), high))
+        if low < high:
+            shift = numbers * TURN % 1.0
+            for k in range(BETWEEN):
+                held &= self._held(x, y, high - (high - low) * (k + shift) / BETWEEN, held)
+            held &= self._held(x, y, np.full(len(x), low), held)
+        return held
+
+    def _held(self, x: Floats, y: Floats, es: Floats, those: NDArray[np.bool_] | None = None) -> NDArray[np.bool_]:
+        """Which of ``those`` starts, else of all, are caught at restitutions ``es`` (N,)."""
+        held = np.ones(len(x), bool) if those is None else those.copy()
+        some = np.flatnonzero(held)
+        places = np.column_stack([x[some], y[some]])
+        ends = capture_all(self.hand, places, self._velocity, es[some], law=self._law, most_events=MOST_EVENTS)
+        held[some] = ends.codes <= Outcome.CAGED.code
+        self.starts += len(some)
         return held
 
 
@@ -122,7 +178,7 @@ def _box(case: Case, hand: CaptureHand) -> Box:
     time = float(hand.times[-1])
     width = 2.0 * (hand.reach + abs(vx) * time)
     height = hand.reach - hand.half_palm + max(-vy, 0.0) * time
-    return Box(width, height, COARSE, vx == 0.0)
+    return Box(width, height, CELLS, vx == 0.0)
 
 
 def _contact(centre: MultiPolygon, case: Case, hand: CaptureHand) -> MultiPolygon:
@@ -154,7 +210,9 @@ def _notes(case: Case) -> tuple[str, ...]:
         vx, vy = (1e3 * each for each in case.start.velocity)
         notes.append(f"the disk starts with ({vx:.4g}, {vy:.4g}) mm/s")
     if case.hand.finger_mass is not None:
-        notes.append("fingers of that mass give way in an impact, and their motors restore their rate at once")
+        torque = case.hand.finger_torque
+        back = "restore their rate at once" if torque is None else f"bring them back to their rate with {torque:g} N m"
+        notes.append(f"fingers of that mass give way in an impact, and their motors {back}")
     if isinstance(case.object, Disk) and case.contact.friction > 0.0:
         notes.append("contacts with friction spin the disk")
     return tuple(notes)

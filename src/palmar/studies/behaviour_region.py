@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, cos, log2, pi, sin
 from typing import Any
 
@@ -30,6 +30,7 @@ from palmar.regions.closing_sampled import COARSE, cells, corners_inside, corner
 from palmar.regions.region import Model, Region
 from palmar.regions.simulated import covered_from, object_reach
 from palmar.studies.run_behaviour import Circumstances, behaviour_of, run_behaviour
+from palmar.worlds.planar.tracker import Tracker
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -67,6 +68,8 @@ def behaviour_region(
     wanted = max(spacing or SPACING * length, FINEST * length)
     asked = _Runs(case, behaviour_of(case), circumstances, executor, report)
     box = _box(case)
+    if circumstances.tracker is not None:
+        box = replace(box, mirrored=False)  # its errors are the same on both sides
     nodes = nodes_inside(asked.caught, box, max(0, ceil(log2(box.width / box.cells / wanted))))
     origin = -0.5 * box.width, 0.0
     centre = cells(corners_inside(all_near(nodes.held)), origin, nodes.step)
@@ -86,10 +89,22 @@ def behaviour_region(
         notes=(
             f"{asked.done} runs of {behaviour}, {1e3 * nodes.step:.3g} mm apart at the boundary, observed every"
             f" {1e3 * circumstances.tick:.3g} ms",
+            *_tracked(circumstances.tracker),
         ),
         outer=cells(corners_touching(any_near(nodes.held)), origin, nodes.step),
         orientations=None if isinstance(case.object, Disk) else (case.start.theta, case.start.theta),
         spacing=nodes.step,
+    )
+
+
+def _tracked(tracker: Tracker | None) -> tuple[str, ...]:
+    """What the tracker of all runs was like."""
+    if tracker is None:
+        return ()
+    x, y, vx, vy = (1e3 * each for each in tracker.errors())
+    return (
+        f"the object is tracked {1e3 * tracker.delay:.4g} ms late, off by ({x:.3g}, {y:.3g}) mm and ({vx:.3g}, {vy:.3g})"
+        f" mm/s: one draw (seed {tracker.seed}), the same in all runs",
     )
 
 
@@ -158,6 +173,8 @@ def _duration(case: Case) -> float:
     """Time (s) until the fingers are closed at the latest."""
     does = case.behaviour
     waits = does.advance / does.speed if does.name in ADVANCING else 0.0
+    if does.name is BehaviourName.MATCHED_RETURN:
+        waits = does.patience
     if does.name is BehaviourName.PALM_REFLEX:
         waits = (waits if does.advance > 0.0 else does.patience) + does.delay
     return waits + (pi - case.hand.open) / case.hand.finger_rate

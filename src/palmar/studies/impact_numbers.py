@@ -11,7 +11,6 @@ from math import asin, atan2, hypot, inf, sqrt
 
 from palmar.errors import InputError, NotCoveredError
 from palmar.mechanics.impact.collision import rod_inertia
-from palmar.mechanics.impact.force_feedback_4_3_2 import gain_limit, hammering, worst_lag
 from palmar.mechanics.impact.impact_force_4_3_2 import (
     compression,
     contact_duration,
@@ -25,6 +24,7 @@ from palmar.mechanics.impact.impact_force_4_3_2 import (
 from palmar.mechanics.impact.touch_down_4_3_2 import touch_down
 from palmar.models.case import Case
 from palmar.models.objects import Disk
+from palmar.studies.softening import Feedback, LetGo, Paddle, feedback, letting_go, paddle
 
 ROUNDING = 1e-15
 """A damping ratio below this is none."""
@@ -33,7 +33,9 @@ ROUNDING = 1e-15
 @dataclass(frozen=True)
 class Asked:
     """Approach speed (m/s; None: the finger's at its rate), stiffness (N/m) of the contact, damping ratio (None: that of
-    the case's restitution), force limit (N), torque limit of the finger (N m), lag of a force-controlled drive (s).
+    the case's restitution), force limit (N), torque limit of the finger (N m; None: the case's), lag of a force-controlled
+    drive (s) and its force gain; threshold (N) and delay (s) of a drive that lets go; share of its speed at which a paddle
+    returns the object, stroke (m) to stop it, acceleration of the arm (m/s^2).
     """
 
     speed: float | None = None
@@ -42,6 +44,11 @@ class Asked:
     force_limit: float | None = None
     torque: float | None = None
     lag: float | None = None
+    gain: float | None = None
+    trigger: tuple[float, float] | None = None
+    returned: float | None = None
+    stroke: float | None = None
+    acceleration: float | None = None
 
 
 @dataclass(frozen=True)
@@ -65,15 +72,6 @@ class BangBang:
 
 
 @dataclass(frozen=True)
-class Feedback:
-    """Force gain below which the loop is stable, the lag (s) that allows the least, frequency (rad/s) at the limit."""
-
-    gain_limit: float
-    worst_lag: float
-    hammering: float
-
-
-@dataclass(frozen=True)
 class ImpactNumbers:
     """``foot`` (m) and base ``angle`` (rad) of the touch, approach ``speed`` (m/s), reduced ``mass`` (kg), damping ratio and
     the restitution that it gives; and what was asked for. ``pad`` (N/m): inf where none is needed, None without a contact.
@@ -90,6 +88,8 @@ class ImpactNumbers:
     pad: float | None = None
     touch_down: BangBang | None = None
     feedback: Feedback | None = None
+    let_go: LetGo | None = None
+    paddle: Paddle | None = None
 
 
 def impact_numbers(case: Case, asked: Asked) -> ImpactNumbers:
@@ -109,6 +109,7 @@ def impact_numbers(case: Case, asked: Asked) -> ImpactNumbers:
     return ImpactNumbers(
         foot, angle, speed, mass, zeta, float(restitution(zeta)), contact, softest, pad,
         _bang_bang(case, asked, angle, foot, speed, inertia), _feedback(asked, mass, foot, zeta, inertia),
+        _letting_go(case, asked, mass, speed), _paddle(case, asked),
     )  # fmt: skip
 
 
@@ -144,11 +145,12 @@ def _softness(mass: float, speed: float, stiffness: float, zeta: float) -> Softn
 
 def _bang_bang(case: Case, asked: Asked, angle: float, foot: float, speed: float, inertia: float) -> BangBang | None:
     """From rest at the open angle."""
-    if asked.torque is None:
+    torque = case.hand.finger_torque if asked.torque is None else asked.torque
+    if torque is None:
         return None
     if inertia == inf:
         raise InputError("--torque", None, "needs the finger's mass: hand.finger_mass_kg")
-    found = touch_down(angle - case.hand.open, speed / foot, asked.torque, inertia)
+    found = touch_down(angle - case.hand.open, speed / foot, torque, inertia)
     return BangBang(
         case.hand.open + float(found.switch_angle), float(found.switch_time), float(found.time),
         float(found.arrival) * foot,
@@ -158,12 +160,35 @@ def _bang_bang(case: Case, asked: Asked, angle: float, foot: float, speed: float
 def _feedback(asked: Asked, mass: float, foot: float, zeta: float, inertia: float) -> Feedback | None:
     """Of the finger's mass at the foot, with the stiffness and the damper of the contact."""
     if asked.lag is None:
+        if asked.gain is not None:
+            raise InputError("--gain", None, "needs --lag, of the drive that the force is fed back to")
         return None
     if inertia == inf or asked.stiffness is None:
         raise InputError("--lag", None, "needs --stiffness and the finger's mass: hand.finger_mass_kg")
-    k, finger = asked.stiffness, inertia / foot**2
-    damper = 2.0 * zeta * sqrt(k * mass)
-    return Feedback(
-        float(gain_limit(finger, damper, k, asked.lag)), float(worst_lag(finger, k)),
-        float(hammering(finger, damper, k, asked.lag)),
+    damper = 2.0 * zeta * sqrt(asked.stiffness * mass)
+    return feedback(inertia / foot**2, damper, asked.stiffness, asked.lag, asked.gain)
+
+
+def _letting_go(case: Case, asked: Asked, mass: float, speed: float) -> LetGo | None:
+    """The finger is driven until it is let go, and then has its own mass only."""
+    if asked.trigger is None:
+        return None
+    if case.hand.finger_mass is None or asked.stiffness is None:
+        raise InputError("--trigger", None, "needs --stiffness and the finger's mass: hand.finger_mass_kg")
+    return letting_go(case.object.mass, mass, speed, asked.stiffness, *asked.trigger)
+
+
+def _paddle(case: Case, asked: Asked) -> Paddle | None:
+    """Of the object's speed: the one given, else that of the case's start."""
+    if asked.returned is None:
+        if asked.stroke is not None or asked.acceleration is not None:
+            raise InputError(
+                "--returned", None, "is needed beside --stroke and --acceleration; 0 stops the object dead"
+            )
+        return None
+    speed = hypot(*case.start.velocity) if asked.speed is None else asked.speed
+    if speed == 0.0:
+        raise InputError("--speed", None, "must be given for --returned where the case's object starts at rest")
+    return paddle(
+        case.object.mass, speed, case.contact.restitution, asked.returned, asked.stroke, asked.acceleration
     )  # fmt: skip

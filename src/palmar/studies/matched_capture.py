@@ -21,11 +21,10 @@ from palmar.behaviours.reflex import Reflex
 from palmar.errors import InputError
 from palmar.mechanics.impact.capture import capture_all
 from palmar.mechanics.impact.capture_case import capture_hand_of, impact_law_of
-from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
 from palmar.studies.capture_sampled import clopper_pearson
-from palmar.studies.run_behaviour import Circumstances, behaviour_of, run_behaviour
+from palmar.studies.run_behaviour import TRACKING, Circumstances, behaviour_of, run_behaviour
 from palmar.worlds.planar.tracker import Tracker
 
 CHUNK = 8
@@ -48,10 +47,11 @@ class MatchedCapture:
 def matched_capture(case: Case, tracker: Tracker, runs: int, executor: Executor, tick: float = TICK) -> MatchedCapture:
     """Run the case's behaviour from its start ``runs`` times, the k-th with the tracker's seed + k.
 
-    Raises InputError for another behaviour than match_velocity, NotCoveredError where it cannot be run.
+    Raises InputError for a behaviour that tracks nothing, NotCoveredError where it cannot be run.
     """
-    if case.behaviour.name is not BehaviourName.MATCH_VELOCITY:
-        raise InputError("behaviour.name", repr(case.behaviour.name.value), 'must be "match_velocity"')
+    if case.behaviour.name not in TRACKING:
+        names = " or ".join(sorted(each.value for each in TRACKING))
+        raise InputError("behaviour.name", repr(case.behaviour.name.value), f"must be {names}")
     if runs < 1:
         raise InputError("runs", str(runs), "must be at least 1")
     found = [each for part in executor.map(_run_some, _parts(case, tracker, runs, tick)) for each in part]

@@ -29,6 +29,8 @@ from palmar.worlds.world import World, WorldMaker
 
 CORNERS = 128
 MOST_APPROACHES = 3
+TRACKING = {BehaviourName.MATCH_VELOCITY, BehaviourName.MATCHED_RETURN}
+"""Behaviours that need a tracker."""
 Place = tuple[float, float, float]
 
 
@@ -79,7 +81,7 @@ def run_behaviour(
 def world_of(case: Case, start: Place, circumstances: Circumstances, massive: bool) -> World:
     """The world asked for; else the planar one, of an object on a table or of a free disk."""
     tick, sensing, tracker = circumstances.tick, circumstances.sensing, circumstances.tracker
-    if tracker is None and case.behaviour.name is BehaviourName.MATCH_VELOCITY:
+    if tracker is None and case.behaviour.name in TRACKING:
         tracker = Tracker(case.behaviour.delay)
     if circumstances.make is not None:
         if tracker is not None:

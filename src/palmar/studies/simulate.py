@@ -65,12 +65,10 @@ def _simulate_free(case: Case, start: ArrayLike) -> Simulation:
     from palmar.worlds.planar.free import free_world
 
     world = free_world(_closing(case))
-    outcome, pose, found = world.start(_moving(case, start)[0])
-    end = found[-1].psi if found else case.hand.open
+    outcome, pose, (right, left), found = world.start(_moving(case, start)[0])
     straight = (0.0,) * (len(case.hand.finger_links) - 1)
-    last = min(end, float(world.hand.angles[-1, 0, 0]))
     return Simulation(
-        outcome, pose, (last, *straight), (last, *straight),
+        outcome, pose, (left, *straight), (right, *straight),
         tuple(((each.psi - case.hand.open) / case.hand.finger_rate, each) for each in found),
     )  # fmt: skip
 

@@ -11,7 +11,19 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from palmar.faces.cli.behaviour_options import Layout, Massive, Named, Number, with_behaviour, within
+from palmar.errors import InputError
+from palmar.faces.cli.behaviour_options import (
+    Layout,
+    Massive,
+    Named,
+    Number,
+    Track,
+    Velocity,
+    tracker_of,
+    with_behaviour,
+    with_velocity,
+    within,
+)
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
 from palmar.faces.cli.region_options import fineness
 from palmar.faces.cli.texts import region_text, titled
@@ -23,7 +35,10 @@ def region(
     case: CaseName,
     *,
     behaviour: Named = None,
+    velocity: Velocity = None,
     sensors: Layout = None,
+    track: Track = None,
+    seed: Annotated[int, Parameter(help="Of the tracker's errors, which are the same in all runs.")] = 0,
     massive: Massive = None,
     tick: Annotated[Number, Parameter(help="Time between two observations in ms.")] = "20",
     tolerance: Annotated[str | None, Parameter(help="In mm: how far starts may be apart at the boundary.")] = None,
@@ -40,8 +55,11 @@ def region(
 
         known_ending(out)
     name, given = open_case(case)
-    given = with_behaviour(given, behaviour, sensors)
-    circumstances = Circumstances(tick=1e-3 * within("--tick", tick, 1.0, 1000.0), massive=massive)
+    given = with_velocity(with_behaviour(given, behaviour, sensors), velocity)
+    if not 0 <= seed < 2**32:
+        raise InputError("--seed", str(seed), f"must be from 0 to {2**32 - 1}")
+    seconds = 1e-3 * within("--tick", tick, 1.0, 1000.0)
+    circumstances = Circumstances(tick=seconds, massive=massive, tracker=tracker_of(track, seed))
     finely = fineness(tolerance, given)
     shows = sys.stderr.isatty()
 

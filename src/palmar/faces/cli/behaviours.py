@@ -33,6 +33,7 @@ from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case
 from palmar.models.quantity import file_key, unit_of
 from palmar.models.shipped import open_case
+from palmar.models.support import SupportKind
 
 if TYPE_CHECKING:
     from palmar.studies.run_behaviour import BehaviourRun
@@ -112,7 +113,7 @@ def run_one(
         given.sensors.displacement, within("--missed", missed, 0.0, 1.0),
         within("--false-rate", false_rate, 0.0, 1000.0), seed,
     )  # fmt: skip
-    if given.behaviour.name is BehaviourName.FOLLOW_POLICY:
+    if given.behaviour.name is BehaviourName.FOLLOW_POLICY and given.support.kind is SupportKind.TABLE:
         progress("planning")
     most = within("--longest", longest, 0.0, 3600.0)
     tracker = tracker_of(track, seed)

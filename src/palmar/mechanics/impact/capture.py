@@ -20,13 +20,13 @@ from palmar.mechanics.compiled import compiled_to_allocate
 from palmar.mechanics.impact.capture_run import capture_on
 from palmar.mechanics.impact.capture_state import IMPACTS, LOGGED, SPIN, VX, VY, Bench, T, X, Y, bench
 from palmar.mechanics.impact.collision import ImpactLaw
-from palmar.mechanics.impact.finger_motion import CaptureHand, Floats
+from palmar.mechanics.impact.finger_motion import CaptureHand, Floats, turned
 from palmar.mechanics.impact.slowed import check_covered
 from palmar.models.outcome import Outcome
 
 MOST_EVENTS = 20_000
 """Losses near the throat of a hand that shuts take hundreds of impacts at e = 1."""
-END_WIDTH = 7
+END_WIDTH = 9
 ROWS_PER_TASK = 250
 
 
@@ -41,11 +41,14 @@ def capture_rows(
         row, end = starts[k], ends[k]
         codes[k] = capture_on(hand, law, at, row[0], row[1], row[2], row[3], row[4], es[k], most_events)
         end[0], end[1], end[2], end[3], end[4], end[5], end[6] = s[X], s[Y], s[VX], s[VY], s[SPIN], s[T], s[IMPACTS]
+        end[7], end[8] = turned(at.fingers[0], 0, s[T])[0], turned(at.fingers[1], 0, s[T])[0]
 
 
 @dataclass(frozen=True)
 class Captures:
-    """How N starts ended: outcome codes (N,); ``ends`` (N, 7): x, y, vx, vy, spin, time, number of impacts."""
+    """How N starts ended: outcome codes (N,); ``ends`` (N, 9): x, y, vx, vy, spin, time, number of impacts, and
+    the base angles (rad) of the right and the left finger.
+    """
 
     codes: NDArray[np.int8]
     ends: Floats

@@ -31,7 +31,15 @@ def capture_hand_of(case: Case) -> CaptureHand:
 
 
 def impact_law_of(case: Case) -> ImpactLaw:
-    """Mass, finger inertia (a uniform rod, its rate restored at once by the motor) and friction of the case's impacts."""
-    mass = case.hand.finger_mass
-    inertia = inf if mass is None else rod_inertia(mass, case.hand.finger_length)
-    return ImpactLaw(case.object.mass, inertia, inf, case.contact.friction)
+    """Mass, finger inertia (a uniform rod), its motor's torque (none: it restores the rate at once) and friction.
+
+    Raises NotCoveredError for slowed fingers that cannot pass each other.
+    """
+    hand = case.hand
+    inertia = inf if hand.finger_mass is None else rod_inertia(hand.finger_mass, hand.finger_length)
+    torque = inf if hand.finger_torque is None else hand.finger_torque
+    if torque < inf and hand.fingers is Fingers.COLLIDING:
+        raise NotCoveredError(
+            'hand.finger_torque_N_m: slowed fingers are only simulated with hand.fingers = "crossing"'
+        )
+    return ImpactLaw(case.object.mass, inertia, torque, case.contact.friction)

@@ -22,6 +22,7 @@ from palmar.mechanics.impact.capture_state import (
     SPIN,
     STATE_WIDTH,
     TOUCHED,
+    TURNS,
     VX,
     VY,
     Bench,
@@ -49,6 +50,8 @@ MOST_AT_ONCE = 60
 """Impacts without time between them after which their limit is taken."""
 AT_ONCE, NEAR = 1e-13, 1e-9
 """Part of the time so far that is no time; gap, in reaches, of contacts that then count as touching."""
+MOST_CHANGES = 100
+"""Of the motion of fingers that nothing strikes any more: a few each."""
 SLOW = 1e-12
 """Speed, in reaches times the largest rate, that is rest once all fingers rest."""
 
@@ -155,12 +158,28 @@ def _next_stretch(hand: CaptureHand, law: ImpactLaw, at: Bench, phase_ends: bool
     """Take up what changes at this time, a phase or a finger by itself; whether the disk is enclosed."""
     if phase_ends:
         at.state[PHASE] += 1.0
+        is_shut = shut(hand, law, at)
         note(at, PHASES, -1, 0, at.state[VX], at.state[VY], at.state[SPIN])
-        return shut(hand, law, at)
+        return is_shut
     for f in range(2):
         if own_until(hand, at, f) <= at.state[T]:
             change_own(hand, law, at, f)
+    note(at, TURNS, -1, 0, at.state[VX], at.state[VY], at.state[SPIN])
     return False
+
+
+@compiled
+def _fingers_to_their_end(hand: CaptureHand, law: ImpactLaw, at: Bench) -> None:
+    """After a disk is gone: let slowed fingers come to the end of their travel, the disk flying on."""
+    s, last = at.state, len(hand.times) - 1
+    for _ in range(MOST_CHANGES):
+        ends = hand.times[int(s[PHASE]) + 1] if s[PHASE] < last else inf
+        until = min(ends, own_until(hand, at, 0), own_until(hand, at, 1))
+        if until == inf:
+            return
+        s[X], s[Y] = s[X] + s[VX] * (until - s[T]), s[Y] + s[VY] * (until - s[T])
+        s[T] = until
+        _next_stretch(hand, law, at, until == ends)
 
 
 @compiled
@@ -227,5 +246,7 @@ def capture_on(
     if not isfinite(x + y + vx + vy + spin) or overlaps(hand, at, SKIN * reach):
         return INVALID
     code = run(hand, law, at, e, most_events, reach, fastest)
+    if law.torque < inf and code in (ESCAPED, MISSED):
+        _fingers_to_their_end(hand, law, at)
     note(at, ENDS, -1, 0, s[VX], s[VY], s[SPIN])
     return code

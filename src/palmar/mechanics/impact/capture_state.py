@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from palmar.mechanics.compiled import compiled
-from palmar.mechanics.impact.finger_motion import FINGER_WIDTH, CaptureHand, Floats
+from palmar.mechanics.impact.finger_motion import FASTER, FINGER_WIDTH, CaptureHand, Floats, turned
 
 T, X, Y, VX, VY, SPIN, PHASE, MODE, TOUCHED, IMPACTS, LOGGED, LEFT_BODY, LEFT_OTHER, LEFT_UNTIL, OWN = range(15)
 HELD = 16
@@ -15,11 +15,12 @@ HELD = 16
 STATE_WIDTH = HELD + 6
 FLIGHT, ONE, TWO = 0, 1, 2
 """MODE: in flight, or held by so many contacts."""
-IMPACT, LANDS, LEAVES, SHUTS, ENDS, PHASES = range(6)
+IMPACT, LANDS, LEAVES, SHUTS, ENDS, PHASES, TURNS = range(7)
 """Kinds of event: impact, sustained contact begins, ends, a loop shuts about the disk for good, the run ends, a phase of the
-hand's motion begins."""
-EVENT_WIDTH = 12
-"""An event is (time, kind, body, feature, x, y, velocity before (2), after (2), spin before, after)."""
+hand's motion begins, a slowed finger's own motion changes."""
+FINGERS, EVENT_WIDTH = 12, 18
+"""An event is (time, kind, body, feature, x, y, velocity before (2), after (2), spin before, after), then from FINGERS on
+(angle, rate, acceleration) of the right finger's base joint and of the left one's, as they go on."""
 MOST_TOUCHING, TOUCHING_WIDTH = 8, 7
 """A touching contact is a row (body, feature, side, normal (2), demand, speed of parting)."""
 
@@ -54,6 +55,10 @@ def note(at: Bench, kind: int, body: int, feature: int, vx: float, vy: float, sp
         row = at.log[k]
         row[0], row[1], row[2], row[3], row[4], row[5] = s[T], kind, body, feature, s[X], s[Y]
         row[6], row[7], row[8], row[9], row[10], row[11] = vx, vy, s[VX], s[VY], spin, s[SPIN]
+        for f in range(2):
+            angle, rate = turned(at.fingers[f], 0, s[T])
+            first = FINGERS + 3 * f
+            row[first], row[first + 1], row[first + 2] = angle, rate, at.fingers[f, FASTER]
         s[LOGGED] += 1.0
 
 

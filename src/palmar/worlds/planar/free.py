@@ -6,6 +6,7 @@ Times are given as for the table, as the base angle that a finger would have if 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from palmar.mechanics.impact.capture import capture, capture_all
 from palmar.mechanics.impact.capture_case import capture_hand_of, impact_law_of
 from palmar.mechanics.impact.capture_hand import divided
-from palmar.mechanics.impact.capture_state import IMPACT, LANDS, LEAVES, PHASES, SHUTS
+from palmar.mechanics.impact.capture_state import FINGERS, IMPACT, LANDS, LEAVES, PHASES, SHUTS
 from palmar.mechanics.impact.collision import ImpactLaw
 from palmar.mechanics.impact.contact_view import BASE, END
 from palmar.mechanics.impact.finger_motion import CaptureHand
@@ -42,32 +43,39 @@ class FreeWorld:
         """How each start (N, 5) = x, y, theta, vx, vy in SI ends; theta stays that of the start."""
         rows = np.asarray(starts, dtype=float)
         found = capture_all(self.hand, rows[:, :2], rows[:, 3:], self.restitution, law=self.law)
-        fingers = np.column_stack([self._angles(found.ends[:, 5], f) for f in (0, 1)])
-        return Ends(found.codes, np.column_stack([found.ends[:, :2], rows[:, 2]]), fingers)
+        return Ends(found.codes, np.column_stack([found.ends[:, :2], rows[:, 2]]), found.ends[:, 7:9])
 
-    def start(self, start: ArrayLike) -> tuple[Outcome, tuple[float, float, float], tuple[Event, ...]]:
-        """Outcome, final pose (x, y, theta) and events of one start (5,); a lost disk is followed until the fingers end."""
+    def start(
+        self, start: ArrayLike
+    ) -> tuple[Outcome, tuple[float, float, float], tuple[float, float], tuple[Event, ...]]:
+        """Outcome, final pose (x, y, theta), final base angles (right, left) and events of one start (5,).
+
+        A lost disk is followed until the fingers end.
+        """
         outcome, log = self._run(self.hand, start)
         if outcome is Outcome.INVALID:
             x, y, theta = (float(each) for each in np.asarray(start, dtype=float)[:3])
-            return outcome, (x, y, theta), ()
+            return outcome, (x, y, theta), (self.first, self.first), ()
         x, y, theta = self._last(log, outcome, float(np.asarray(start)[2]))
         known = [self._event(row) for row in log if int(row[1]) in _KINDS]
-        return outcome, (x, y, theta), (*known, Event(self._clock(self._end(log, outcome)), "end", outcome.value))
+        end = self._end(log, outcome)
+        right, left = (float(each) for each in self._angles(log, np.array([end]))[0])
+        return outcome, (x, y, theta), (right, left), (*known, Event(self._clock(end), "end", outcome.value))
 
     def trace(self, start: ArrayLike, frames: int) -> Trace:
         """Poses at ``frames`` equal steps of time from a valid start (5,) to its end."""
         outcome, log = self._run(self.hand, start)
         times = np.linspace(0.0, self._end(log, outcome), frames)
-        _, rows = self._run(divided(self.hand, times[1:-1].tolist()), start)
+        between = times[(times > 0.0) & (times < self.hand.times[-1])]
+        _, rows = self._run(divided(self.hand, between.tolist()), start)
         x, y, theta, vx, vy = (float(each) for each in np.asarray(start, dtype=float))
-        moments = np.vstack([[0.0, PHASES, 0.0, 0.0, x, y, vx, vy, vx, vy, 0.0, 0.0], rows])
+        begin = [(self.hand.angles[0, f, 0], self.hand.rates[0, f, 0], 0.0) for f in (0, 1)]
+        moments = np.vstack([[0.0, PHASES, 0.0, 0.0, x, y, vx, vy, vx, vy, 0.0, 0.0, *begin[0], *begin[1]], rows])
         turns = theta + np.concatenate([[0.0], np.cumsum(np.diff(moments[:, 0]) * _between(moments))])
         k = np.searchsorted(moments[:, 0], times, side="right") - 1
         past = (times - moments[k, 0])[:, None]
         places, angles = moments[k, 4:6] + past * moments[k, 8:10], turns[k] + past[:, 0] * moments[k, 11]
-        fingers = np.column_stack([self._angles(times, f) for f in (0, 1)])
-        return Trace(self.first + self.rate * times, np.column_stack([places, angles]), fingers)
+        return Trace(self.first + self.rate * times, np.column_stack([places, angles]), self._angles(moments, times))
 
     def _run(self, hand: CaptureHand, start: ArrayLike) -> tuple[Outcome, Floats]:
         row = np.asarray(start, dtype=float)
@@ -85,10 +93,14 @@ class FreeWorld:
         turned = float((np.diff(log[:, 0]) * _between(log)).sum()) + past * float(log[-1, 11])
         return float(x), float(y), theta + turned
 
-    def _angles(self, times: Floats, f: int) -> Floats:
-        """Base angle (rad) of finger f at times (s)."""
-        found: Floats = np.interp(times, self.hand.times, self.hand.angles[:, f, 0])
-        return found
+    def _angles(self, log: Floats, times: Floats) -> Floats:
+        """Base angles (N, 2; rad), right and left, at times (s): as prescribed, or as impacts have slowed the fingers."""
+        if self.law.torque == inf:
+            return np.column_stack([np.interp(times, self.hand.times, self.hand.angles[:, f, 0]) for f in (0, 1)])
+        k = np.maximum(np.searchsorted(log[:, 0], times, side="right") - 1, 0)
+        past = times - log[k, 0]
+        rows = [log[k, FINGERS + 3 * f : FINGERS + 3 * f + 3] for f in (0, 1)]
+        return np.column_stack([row[:, 0] + (row[:, 1] + 0.5 * row[:, 2] * past) * past for row in rows])
 
     def _clock(self, time: float) -> float:
         return self.first + self.rate * time

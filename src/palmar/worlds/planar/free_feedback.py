@@ -169,6 +169,10 @@ def _covered(case: Case, sensing: Sensing) -> float:
         raise NotCoveredError('object.shape = "polygon": in free space only disks are simulated')
     if case.support.wall is not None:
         raise NotCoveredError("support.wall_mm: in free space no wall is simulated")
+    if case.hand.finger_torque is not None:
+        raise NotCoveredError(
+            "hand.finger_torque_N_m: under feedback fingers are back at their rate at once, leave it out"
+        )
     if sensing.displacement > 0.0:
         raise NotCoveredError("sensors.displacement_mm: in free space a sensor feels an impact at once, or not at all")
     if len(case.hand.finger_links) > MOST_LINKS:
