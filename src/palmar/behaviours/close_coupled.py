@@ -10,9 +10,9 @@ from palmar.models.motion import Command, Observation
 
 @dataclass(frozen=True)
 class CoupledClosing:
-    """Fingers of two joints; ``ratio``: the distal joint's rate over the base joint's; ``most``: base angle (rad) at the end.
+    """Fingers of two joints; ``ratio``: the distal joint's rate over the base joint's.
 
-    Nothing is felt or remembered.
+    ``most``: base angle (rad) at which the motion ends. Nothing is felt or remembered.
     """
 
     drive: Drive

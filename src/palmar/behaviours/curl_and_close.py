@@ -1,4 +1,4 @@
-"""Curl first, then close (sections 5.2.2 and 5.3.1): the motions of the distal and of the base joints one after the other."""
+"""Curl first, then close (sections 5.2.2 and 5.3.1): the distal joints move, and after them the base joints."""
 
 from __future__ import annotations
 

@@ -33,10 +33,8 @@ def build_region(
     ``tolerance`` (m): how far curves of the exact region may be flattened, or simulated starts be apart.
     """
     walled = case.support.wall is not None
-    if case.behaviour.name in JOINTED_CLOSING and model is Model.EXACT and case.support.kind is SupportKind.TABLE:
-        from palmar.regions.jointed_closing import jointed_region
-
-        return jointed_region(_turned(case, orientations), closure, tolerance)
+    if case.behaviour.name in JOINTED_CLOSING and model is Model.EXACT:
+        return _jointed_region(_turned(case, orientations), closure, tolerance)
     if case.behaviour.name is not BehaviourName.CLOSE or walled:
         if model is not Model.EXACT:
             what = "support.wall_mm" if walled else f'behaviour.name = "{case.behaviour.name.value}"'
@@ -57,6 +55,16 @@ def build_region(
     from palmar.regions.exact import exact_region
 
     return exact_region(case, closure, tolerance, orientations, tolerance)
+
+
+def _jointed_region(case: Case, closure: Closure, tolerance: float | None) -> Region:
+    if case.support.kind is SupportKind.FREE:
+        from palmar.regions.captured import captured_region
+
+        return captured_region(case, closure, tolerance)
+    from palmar.regions.jointed_closing import jointed_region
+
+    return jointed_region(case, closure, tolerance)
 
 
 def _turned(case: Case, orientations: tuple[float, float] | None) -> Case:

@@ -22,6 +22,7 @@ from palmar.mechanics.impact.finger_motion import CaptureHand
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
+from palmar.models.jointed_motion import JOINTED_CLOSING
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
 from palmar.regions.boundary_search import Box, Nodes, nodes_inside
@@ -182,8 +183,11 @@ def _box(case: Case, hand: CaptureHand) -> Box:
 
 
 def _contact(centre: MultiPolygon, case: Case, hand: CaptureHand) -> MultiPolygon:
-    """Where the right finger, and its image, first touch a disk at rest: r^2 = |c - base|^2 - (R + h)^2, in their frame."""
-    if centre.is_empty or case.start.velocity != (0.0, 0.0):
+    """Where the right finger, and its image, first touch a disk at rest: r^2 = |c - base|^2 - (R + h)^2, in their frame.
+
+    For straight fingers; empty else.
+    """
+    if centre.is_empty or case.start.velocity != (0.0, 0.0) or case.behaviour.name in JOINTED_CLOSING:
         return EMPTY
     apart = hand.radius + hand.half_thickness
     left, low, right, high = centre.bounds
@@ -204,7 +208,7 @@ def _contact(centre: MultiPolygon, case: Case, hand: CaptureHand) -> MultiPolygo
 
 def _notes(case: Case) -> tuple[str, ...]:
     notes = []
-    if len(case.hand.finger_links) > 1:
+    if len(case.hand.finger_links) > 1 and case.behaviour.name not in JOINTED_CLOSING:
         notes.append(f"the {len(case.hand.finger_links)} links of a finger are kept straight")
     if case.start.velocity != (0.0, 0.0):
         vx, vy = (1e3 * each for each in case.start.velocity)

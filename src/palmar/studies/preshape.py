@@ -34,7 +34,7 @@ class Preshapes:
     ``tip``: the ride at the tip under the case's own pressure, ``places`` along the link; ``by_pressure``: at the tip,
     under named pressures and a thin ring; ``by_offset``: least and largest angle (rad) as the pressure's centre moves by
     ``OFFSET`` radii; ``disc``: the radius (m) of the source's contact region. None where there is none. Tables only.
-    ``centrifugal``: least and largest angle (rad) that balance the centrifugal force with the disk clear of the proximal link.
+    ``centrifugal``: least and largest angle (rad) that balance the centrifugal force, the disk clear of the proximal link.
     """
 
     tip: Ride | None
@@ -59,7 +59,7 @@ def preshapes(case: Case) -> Preshapes:
     named = [(each.value, PRESSURE_EXPONENT[each]) for each in Pressure] + [("thin ring", inf)]
     return Preshapes(
         tip,
-        tuple((part * distal, preshape(finger, own, part * distal)) for part in PLACES),
+        tuple((part, preshape(finger, own, part * distal)) for part in PLACES),
         tuple((name, preshape(finger, RidingDisk(radius, _surface(radius, e)), distal)) for name, e in named),
         _by_offset(finger, radius, PRESSURE_EXPONENT[case.support.pressure], distal),
         None if tip is None else disc_radius(proximal, distal, tip.angle),

@@ -41,9 +41,9 @@ def _text(case: Case, found: Preshapes) -> str:
             )
         low, high = (degrees(each) for each in found.centrifugal)
         return (
-            f"Curled by {low:.4g} to {high:.4g} deg, the centrifugal force has no part along the distal link where the disk\n"
-            "touches it, and the disk is clear of the proximal link. The balance is unstable: a disk that is aside by e goes\n"
-            "as e cosh(angle turned)."
+            f"Curled by {low:.4g} to {high:.4g} deg, the centrifugal force has no part along the distal link where the\n"
+            "disk touches it, and the disk is clear of the proximal link. The balance is unstable: a disk that is aside\n"
+            "by e goes as e cosh(angle turned)."
         )
     if found.tip is None or found.by_offset is None or found.disc is None:
         return "At every angle of the distal joint up to 90 deg the disk rolls out."
@@ -52,8 +52,8 @@ def _text(case: Case, found: Preshapes) -> str:
     rows += [(f"contact at {100.0 * part:.3g} % of the distal link", *_ride(each)) for part, each in found.places]
     rows += [(f"at its tip, pressure: {named}", *_ride(each)) for named, each in found.by_pressure]
     return (
-        f"Curled by {degrees(found.tip.angle):.2f} deg, the disk rides on the distal link without rolling while the base joint"
-        " closes;\ncurled by more it rolls in, towards the palm.\n\n"
+        f"Curled by {degrees(found.tip.angle):.2f} deg, the disk rides on the distal link without rolling while the base\n"
+        "joint closes; curled by more it rolls in, towards the palm.\n\n"
         f"{table(rows)}\n\n"
         f"With the pressure's centre off by 5 % of the radius: {low:.4g} to {high:.4g} deg.\n"
         f"The source's contact region is a disc of radius {1e3 * found.disc:.4g} mm about each base joint."
