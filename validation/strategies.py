@@ -1,0 +1,111 @@
+"""Closing strategies of the test bed's hand side by side, and random starts in and about each of their regions.
+
+    python3 dev.py validate strategies [STARTS [SEED]]
+
+The hand of chapter 6 (half palm 60, links 137 and 107, disk 38 mm) on a table and in free space, with lines and with thick
+fingers of one plane: the areas of all strategies, and of STARTS (100 000) random starts inside each region how many are
+lost, and of as many outside, within a disk's radius, how many are caught. RUNS starts inside each are run by the behaviour's
+reflex under feedback too.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import MultiPolygon
+
+from palmar.mechanics.impact.capture import capture_all
+from palmar.mechanics.impact.capture_case import capture_hand_of, impact_law_of
+from palmar.models.behaviour import BehaviourName
+from palmar.models.case import Case
+from palmar.models.case_file import parse_case
+from palmar.models.objects import Disk
+from palmar.models.outcome import Outcome
+from palmar.models.support import SupportKind
+from palmar.regions.jointed_closing import Carried
+from palmar.studies.run_behaviour import Circumstances, run_behaviour
+from palmar.studies.simulate import simulate_starts
+from palmar.studies.strategies import strategies
+
+Floats = NDArray[np.float64]
+HAND = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\n"
+THICK = HAND + 'finger_thickness_mm = 25\nfingers = "colliding"\n'
+DISK = "[object]\nradius_mm = 38\n"
+FREE = '[support]\nkind = "free"\n'
+CASES = {
+    "table, line fingers, friction 0.7": HAND + DISK + "[contact]\nfriction = 0.7\n",
+    "table, thick fingers of one plane, friction 0.7": THICK + DISK + "[contact]\nfriction = 0.7\n",
+    "free, line fingers, restitution 1": HAND + DISK + "[contact]\nfriction = 0\n" + FREE,
+    "free, line fingers, restitution 0.5": HAND + DISK + "[contact]\nfriction = 0\nrestitution = 0.5\n" + FREE,
+    "free, thick fingers of one plane, restitution 1": THICK + DISK + "[contact]\nfriction = 0\n" + FREE,
+}
+RUNS = 20
+
+
+def starts_in(area: MultiPolygon, count: int, rng: np.random.Generator) -> Floats:
+    """Uniform starts in a set, by rejection from its bounding box."""
+    left, low, right, high = area.bounds
+    found: list[Floats] = []
+    shapely.prepare(area)
+    while sum(map(len, found)) < count:
+        tried = np.column_stack([rng.uniform(left, right, count), rng.uniform(low, high, count)])
+        found.append(tried[shapely.contains_xy(area, tried)])
+    return np.concatenate(found)[:count]
+
+
+def caught(case: Case, starts: Floats) -> NDArray[np.bool_]:
+    """Which starts (N, 2) end in a grasp."""
+    if case.support.kind is SupportKind.FREE:
+        given = capture_hand_of(case), starts, case.start.velocity, case.contact.restitution
+        codes = capture_all(*given, law=impact_law_of(case)).codes
+    elif case.behaviour.name is BehaviourName.CLOSE:
+        codes = simulate_starts(case, starts).codes
+    else:
+        codes = Carried(case).outcomes(np.column_stack([starts, np.zeros(len(starts))]))
+    return codes <= Outcome.CAGED.code
+
+
+def lost_under_feedback(case: Case, starts: Floats) -> int:
+    """How many of the starts the behaviour's reflex does not catch."""
+    runs = [run_behaviour(case, (float(x), float(y), 0.0), Circumstances(tick=0.05)) for x, y in starts]
+    return sum(not each.trace.outcome.caught for each in runs)
+
+
+def compare(name: str, count: int, seed: int) -> None:
+    """One case: its strategies, one line each."""
+    case, rng = parse_case(CASES[name], name), np.random.default_rng(seed)
+    begin = time.process_time()
+    found = strategies(case)
+    print(f"{name} ({time.process_time() - begin:.1f} s of processor time)", flush=True)
+    straight = found[0].region.area
+    assert isinstance(case.object, Disk)
+    radius = case.object.radius
+    for each in found:
+        there = case.model_copy(update={"behaviour": each.behaviour})
+        outer = each.region.centre if each.region.outer is None else each.region.outer
+        open_hand = shapely.box(-1.0, radius + case.hand.half_thickness + 1e-9, 1.0, 1.0)
+        outside = outer.buffer(radius).difference(outer).intersection(open_hand)
+        lost = int((~caught(there, starts_in(each.region.centre, count, rng))).sum())
+        more = int(caught(there, starts_in(outside, count, rng)).sum())
+        runs = lost_under_feedback(there, starts_in(each.region.centre, RUNS, rng))
+        value = "" if each.value is None else f" {np.degrees(each.value):.1f} deg,"
+        if each.behaviour.name is BehaviourName.CLOSE_COUPLED:
+            value = f" ratio {each.value:.3g},"
+        size = f"{1e4 * each.region.area:.1f} cm2 ({100 * each.region.area / straight:.1f} % of straight)"
+        hunted = f"of {count} inside {lost} lost, of {count} outside {more} caught"
+        print(f"    {each.name}:{value} {size}; {hunted}; {runs} of {RUNS} runs under feedback lost", flush=True)
+
+
+def main(words: list[str]) -> None:
+    """Every case."""
+    count, seed = (int(words[0]) if words else 100_000), (int(words[1]) if len(words) > 1 else 20261126)
+    for name in CASES:
+        compare(name, count, seed)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
