@@ -11,6 +11,20 @@ from PIL import Image
 from palmar.studies import strategies
 
 
+FRICTIONLESS = """
+[hand]
+palm_width_mm = 120.0
+finger_links_mm = [137.0, 107.0]
+[object]
+radius_mm = 38.0
+[contact]
+friction = 0.0
+restitution = 1.0
+[support]
+kind = "free"
+"""
+
+
 def test_the_preshape_of_the_test_bed(palmar) -> None:
     answer = palmar("preshape", "testbed_table_thick", "--json")
     record = answer.record
@@ -50,8 +64,9 @@ def test_strategies_side_by_side(palmar, tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(strategies, "ANGLES", (0.5, 1.0))
     monkeypatch.setattr(strategies, "RATIOS", (0.5, 1.0))
     monkeypatch.setattr(strategies, "ROUNDS", 1)
-    file = tmp_path / "strategies.png"
-    answer = palmar("strategies", "testbed_free", "--out", str(file), "--json")
+    case, file = tmp_path / "case.toml", tmp_path / "strategies.png"
+    case.write_text(FRICTIONLESS)
+    answer = palmar("strategies", str(case), "--out", str(file), "--json")
     record, found = answer.record, {each["name"]: each for each in answer.record["strategies"]}
     assert list(found) == ["straight", "centrifugal", "curl first", "coupled"]
     assert record["best"] == "curl first"
