@@ -23,6 +23,7 @@ from palmar.worlds.mujoco.engine import mujoco
 from palmar.worlds.mujoco.judges import Judge, Place, judge_of
 from palmar.worlds.mujoco.scene import Scene, scene_of
 from palmar.worlds.mujoco.servos import Servos, servos_of
+from palmar.worlds.mujoco.table_friction import TableLaw
 from palmar.worlds.planar.bits import Bits, Sensing, bits_of
 from palmar.worlds.planar.carriage import Touch
 from palmar.worlds.planar.feedback import NO_TIME, TICK
@@ -125,8 +126,8 @@ class MujocoWorld:
         self.firing = self.bits.read(touches, self._place()[:2], seconds, displaces)
 
     def _place(self) -> Place:
-        x, y = self.data.qpos[self.first : self.first + 2].tolist()
-        return x, y, float(self.data.qpos[-1])
+        x, y, theta = self.data.qpos[self.first : self.first + 3].tolist()
+        return x, y, theta
 
     def _look(self) -> None:
         self.judge.see(self._place(), self.servos.arm)
@@ -229,13 +230,15 @@ def mujoco_world(
     sensing: Sensing | None = None,
     massive: bool = False,
     step: float | None = None,
+    law: TableLaw = TableLaw.EXACT,
 ) -> MujocoWorld:
     """As ``feedback_world``: the object's frame at ``start`` (m, rad) in the hand frame, the fingers open and straight.
 
-    The object has the velocity of the case's start. ``step`` (s): of the simulation, else as the scene has it. Raises
+    The object has the velocity of the case's start. ``step`` (s): of the simulation, else as the scene has it;
+    ``law``: how friction with the table is had. Raises
     NotCoveredError for what this world does not have.
     """
-    scene, hand = scene_of(case, step), case.hand
+    scene, hand = scene_of(case, step, law), case.hand
     model = mujoco.MjModel.from_xml_string(scene.xml())
     data = mujoco.MjData(model)
     x, y, theta = (float(each) for each in moved_poses(scene.slider.centre, np.array([start]), 1.0)[0])
@@ -248,7 +251,7 @@ def mujoco_world(
     world = MujocoWorld(scene, model, data, servos, judge, travel_of(hand), bits, massive, tick)
     world.firing = (False,) * len(bits.rows)
     world.invalid = judge.overlaps(world.servos.angles)
-    data.qpos[world.first : world.first + 2], data.qpos[-1] = (x, y), theta
+    data.qpos[world.first : world.first + 3] = x, y, theta
     data.qvel[world.first : world.first + 2] = case.start.velocity
     if not world.invalid:
         world.feel(0.0, not massive)
