@@ -93,7 +93,7 @@ def _settings(case: Case, rules: Rules, world: str) -> str:
 
 
 def _text(found: tuple[Limit, ...]) -> str:
-    rows = [("direction", "limit", "region", "difference", "trials")]
+    rows: list[tuple[str, ...]] = [("direction", "limit", "region", "difference", "trials")]
     for each in found:
         values = (each.distance, each.predicted, each.difference)
         rows.append(

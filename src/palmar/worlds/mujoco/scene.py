@@ -29,6 +29,7 @@ from palmar.models.case import Case
 from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
+from palmar.worlds.mujoco.bed import Bed, bed_motors, puck_joints
 from palmar.worlds.mujoco.table_friction import TableLaw
 
 GRAVITY = 9.81
@@ -67,12 +68,13 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Scene:
-    """The case, its object about the centre of pressure, and the time step (s)."""
+    """The case, its object about the centre of pressure, the time step (s), the table's law, and a test bed's motors."""
 
     case: Case
     slider: Slider
     step: float
     law: TableLaw = TableLaw.EXACT
+    bed: Bed | None = None
 
     @property
     def on_foot(self) -> bool:
@@ -105,7 +107,9 @@ class Scene:
 
     @property
     def inertia(self) -> float:
-        """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space."""
+        """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space; or the bed's."""
+        if self.bed is not None:
+            return self.bed.inertia
         return (HEAVY if self.free else 1.0) * self.case.object.mass * self.case.hand.finger_length**2
 
     def xml(self) -> str:
@@ -116,7 +120,7 @@ class Scene:
         <default><geom contype="0" conaffinity="0"/><joint solreflimit="{2.0 * self.step} 1" solimplimit="0.99 0.99 0.001"/>
         <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
         <worldbody><geom name="floor" type="plane" size="1 1 1"/>{self._hand()}{self._object()}</worldbody>
-        <contact>{"".join(self._pairs())}</contact><actuator>{"".join(self._servos())}</actuator>{self._dampers()}</mujoco>"""
+        <contact>{"".join(self._pairs())}</contact>{self._actuators()}{self._dampers()}</mujoco>"""
 
     def meeting(self, model: Any) -> list[int]:
         """Numbers of the geoms with which fingers of one plane meet."""
@@ -150,13 +154,14 @@ class Scene:
 
     def _object(self) -> str:
         """In the plane. As a single contact with the table its weight is on a foot: no finger's friction lifts that."""
-        slides = "".join(f'<joint name="object_{each}" type="slide" axis="{axis}"/>' for each, axis in PLANE)
+        slide, turn = ("", "") if self.bed is None or not self.free else puck_joints(self.bed)
+        slides = "".join(f'<joint name="object_{each}" type="slide" axis="{axis}"{slide}/>' for each, axis in PLANE)
         weight = self._weight(1.0)
         if self.on_foot:
             ball = f'<geom name="ball" type="sphere" size="{self.reach}"/>'
             foot = f'<body><joint type="slide" axis="0 0 1"/>{self._weight(1.0 - UPPER)}{ball}</body>'
             weight = self._weight(UPPER) + foot
-        inner = f'{slides}<joint name="object_turn" axis="0 0 1"/>{weight}{self._outline()}'
+        inner = f'{slides}<joint name="object_turn" axis="0 0 1"{turn}/>{weight}{self._outline()}'
         return f'<body name="object" pos="0 0 {self.reach}">{inner}</body>'
 
     def _weight(self, share: float) -> str:
@@ -210,18 +215,21 @@ class Scene:
         stiff = (pi / CONTACT_TIME) ** 2
         return f' solref="{-stiff} {-2.0 * damping_ratio(self.case.contact.restitution) * sqrt(stiff)}"'
 
-    def _servos(self) -> Iterator[str]:
-        joints = [
-            (f"{name}_{k + 1}", self.inertia) for name, _ in SIDES for k in range(len(self.case.hand.finger_links))
-        ]
-        arm = HEAVY * self.case.object.mass
-        for joint, inertia in (*joints, ("arm_x", arm), ("arm_y", arm)):
-            stiff = STIFFNESS * inertia / self.step**2
-            yield f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>'
-            yield f'<velocity joint="{joint}" kv="{2.0 * (stiff * inertia) ** 0.5}"/>'
+    def _actuators(self) -> str:
+        joints = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(len(self.case.hand.finger_links))]
+        arm = "".join(self._servo(each, HEAVY * self.case.object.mass) for each in ("arm_x", "arm_y"))
+        if self.bed is not None:
+            return bed_motors(self.bed, joints, arm)
+        return f"<actuator>{''.join(self._servo(each, self.inertia) for each in joints)}{arm}</actuator>"
+
+    def _servo(self, joint: str, inertia: float) -> str:
+        """A spring to a set point that moves, and a damper."""
+        stiff = STIFFNESS * inertia / self.step**2
+        damper = f'<velocity joint="{joint}" kv="{2.0 * (stiff * inertia) ** 0.5}"/>'
+        return f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>{damper}'
 
 
-def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXACT) -> Scene:
+def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXACT, bed: Bed | None = None) -> Scene:
     """The scene of a case; raises NotCoveredError for what it does not have."""
     hand = case.hand
     if case.ranges:
@@ -235,7 +243,7 @@ def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXA
         raise NotCoveredError('object.shape = "polygon": in free space only disks are simulated')
     if free and hand.finger_mass is not None:
         raise NotCoveredError("hand.finger_mass_kg: the world mujoco has heavy fingers only")
-    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP), law)
+    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP), law, bed)
     corners = len(scene.slider.core)
     if corners > MOST_CORNERS:
         raise NotCoveredError(f"the world mujoco has polygons of up to {MOST_CORNERS} corners, not {corners}")
