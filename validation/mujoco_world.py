@@ -18,6 +18,7 @@ import numpy as np
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.case_file import parse_case
+from palmar.models.motion import Command
 from palmar.models.outcome import Outcome
 from palmar.studies.run_behaviour import Circumstances, run_behaviour
 from palmar.studies.simulate import simulate_starts
@@ -41,7 +42,10 @@ CASES = {
     "free disk, line fingers, restitution 1": FAST + DISK + SLIP + FREE,
     "free disk, line fingers, restitution 0.5": FAST + DISK + "[contact]\nfriction = 0\nrestitution = 0.5\n" + FREE,
 }
-RUNS = 5
+RUNS = 2
+ELSEWHERE = (BehaviourName.FOLLOW_POLICY, BehaviourName.MATCH_VELOCITY)
+"""They need a plan, and a free disk that is tracked."""
+AWAY = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\nopen_deg = 40\nfinger_rate_deg_s = {rate}\n" + DISK
 JOINTED = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\nfinger_rate_deg_s = 10\n"
 SENSORS = '[sensors]\nlayout = "distributed"\n'
 MOVE = "[behaviour]\nadvance_mm = 150\nspeed_mm_s = 50\n"
@@ -98,7 +102,7 @@ def boundary(case: Case, start: np.ndarray) -> str:
 def behaviours(seed: int) -> None:
     """Every behaviour without a plan from RUNS starts in both worlds."""
     for name in BehaviourName:
-        if name is BehaviourName.FOLLOW_POLICY:
+        if name in ELSEWHERE:
             continue
         case = parse_case(JOINTED + DISK + GRIP + SENSORS + f'{MOVE}name = "{name.value}"\n', name.value)
         starts = np.random.default_rng(seed).uniform([-0.15, 0.06, 0.0], [0.15, 0.28, 0.0], (RUNS, 3))
@@ -128,6 +132,27 @@ def ends_at(step: float, case: Case, starts: np.ndarray) -> np.ndarray:
     return np.column_stack([found.codes, found.poses])
 
 
+def pushed_away() -> None:
+    """A disk that the right tip pushes off, over friction, closing rate and time step: how far it turns and ends apart."""
+    for friction in (0.05, 0.2, 0.7, 3.0):
+        for rate in (10.0, 5.0, 2.0):
+            case = parse_case(AWAY.format(rate=rate) + f"[contact]\nfriction = {friction}\n")
+            exact = simulate_starts(case, [(0.25, 0.2, 0.0)]).poses[0]
+            told = []
+            for step in (1e-3, 5e-4, 2.5e-4):
+                world = mujoco_world(case, (0.25, 0.2, 0.0), step=step)
+                turning = (case.hand.finger_rate, 0.0)
+                while world.time < 10.0 / rate:
+                    world.act(Command(turning, turning), 0.01)
+                apart = np.array(world.pose) - exact
+                told.append(f"{apart[2]:+.4f} rad {1e3 * np.hypot(apart[0], apart[1]):.3f} mm")
+            print(
+                f"pushed away, friction {friction}, {rate:g} deg/s: planar turn {exact[2]:.4f}; apart at"
+                f" 1, 0.5, 0.25 ms: {'; '.join(told)}",
+                flush=True,
+            )
+
+
 def steps(number: int, seed: int) -> None:
     """How much ends change with the time step."""
     for name in ("disk, line fingers", "free disk, line fingers, restitution 1"):
@@ -149,8 +174,9 @@ def steps(number: int, seed: int) -> None:
 
 
 def main(words: list[str]) -> None:
-    """Behaviours, closing, time steps."""
+    """A disk pushed away, behaviours, closing, time steps."""
     number, seed = (int(words[0]) if words else 200), (int(words[1]) if len(words) > 1 else 20261126)
+    pushed_away()
     behaviours(seed)
     for name in CASES:
         closing(name, number, seed)

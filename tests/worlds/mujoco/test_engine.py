@@ -25,6 +25,7 @@ pytest.importorskip("mujoco", reason="needs the extra palmar[mujoco]")
 from palmar.studies.simulate import simulate_start
 from palmar.studies.simulate_in_world import simulate_start_in
 from palmar.worlds.mujoco.scene import GRAVITY
+from palmar.worlds.mujoco.table_friction import TableLaw
 from palmar.worlds.mujoco.world import MujocoWorld, mujoco_world
 
 HAND = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\n"
@@ -34,9 +35,9 @@ TABLE, RADIUS, FRICTION = "[support]\nfriction = 0.3\n", 0.038, 0.3
 REST = Command((0.0,), (0.0,))
 
 
-def far_off(text: str = HAND + DISK + TABLE) -> MujocoWorld:
+def far_off(text: str = HAND + DISK + TABLE, law: TableLaw = TableLaw.EXACT) -> MujocoWorld:
     """An object that lies where no hand is, settled on its table."""
-    world = mujoco_world(parse_case(text), (0.0, 1.0, 0.0))
+    world = mujoco_world(parse_case(text), (0.0, 1.0, 0.0), law=law)
     world.act(REST, 0.1)
     return world
 
@@ -44,7 +45,7 @@ def far_off(text: str = HAND + DISK + TABLE) -> MujocoWorld:
 def slid(world: MujocoWorld, velocity: tuple[float, float], spin: float) -> tuple[np.ndarray, float]:
     """Way (x, y, theta) that the object slides from a twist, and the time until it rests."""
     before, began = np.array(world.pose), world.time
-    world.data.qvel[-4:-2], world.data.qvel[-1] = velocity, spin
+    world.data.qvel[world.first : world.first + 3] = *velocity, spin
     world.act(REST, 0.001)
     while not world.settled:
         world.act(REST, 0.001)
@@ -57,7 +58,7 @@ def test_a_sliding_disk_stops_as_coulomb_has_it(velocity: tuple[float, float]) -
     speed, slowing = hypot(*velocity), FRICTION * GRAVITY
     assert way[:2] == pytest.approx(0.5 * speed / slowing * np.array(velocity), rel=0.01)
     assert speed / slowing <= time < speed / slowing + 0.03  # the last of the speed creeps away
-    assert abs(way[2]) < 1e-6
+    assert abs(way[2]) < 5e-5  # the centre of mass is 1e-6 m off, see COUPLED
 
 
 def test_a_spinning_disk_stops_as_a_uniform_pressure_has_it() -> None:
@@ -69,24 +70,31 @@ def test_a_spinning_disk_stops_as_a_uniform_pressure_has_it() -> None:
 
 def slides_under(law: LimitSurface, inertia: float, twist: np.ndarray) -> np.ndarray:
     """Way (x, y, theta) until rest under a law of friction, by small steps; ``inertia`` per mass."""
-    state, way, step = twist.copy(), np.zeros(3), 2e-5
+    state, way, step = twist.copy(), np.zeros(3), 1e-4
     while hypot(state[0], state[1]) + law.length * abs(state[2]) > 1e-3:
         way += step * state
-        state -= step * FRICTION * GRAVITY * np.array(wrench(law, *state)) / (1.0, 1.0, inertia)
+        c, s, along = np.cos(way[2]), np.sin(way[2]), complex(state[0], state[1])
+        seen = along * complex(c, -s)
+        fx, fy, moment = wrench(law, seen.real, seen.imag, state[2])
+        load = complex(fx, fy) * complex(c, s)
+        state -= step * FRICTION * GRAVITY * np.array([load.real, load.imag, moment / inertia])
     return way
 
 
-@pytest.mark.parametrize("thing", [DISK, BOX])
-@pytest.mark.parametrize("share", [0.3, 1.0, 3.0])
-def test_friction_is_the_ellipsoid(thing: str, share: float) -> None:
+@pytest.mark.parametrize(
+    ("thing", "law", "error"),
+    [(DISK, TableLaw.EXACT, 0.01), (BOX, TableLaw.EXACT, 0.01), (DISK, TableLaw.ELLIPSOID, 0.025)],
+)
+@pytest.mark.parametrize("share", [0.3, 3.0])
+def test_friction_is_the_law_that_is_asked_for(thing: str, law: TableLaw, error: float, share: float) -> None:
     """A disk and a box that slide and spin at once; ``share``: speed of turning, at the length c, over that of sliding."""
-    world = far_off(HAND + thing + TABLE)
-    exact = disk_surface(RADIUS) if thing == DISK else polygon_surface(np.array(world.scene.case.object.vertices))
-    twist = np.array([0.4, 0.0, share * 0.4 / exact.length])
+    world = far_off(HAND + thing + TABLE, law)
+    surface = world.scene.slider.surface
+    twist = np.array([0.4, 0.0, share * 0.4 / surface.length])
     found, _ = slid(world, (0.4, 0.0), float(twist[2]))
     inertia = 0.5 * world.scene.reach**2
-    expected = slides_under(ellipsoid_surface(exact.length), inertia, twist)
-    assert found[[0, 2]] == pytest.approx(expected[[0, 2]], rel=0.025)
+    expected = slides_under(surface if law is TableLaw.EXACT else ellipsoid_surface(surface.length), inertia, twist)
+    assert found[[0, 2]] == pytest.approx(expected[[0, 2]], rel=error)
 
 
 @pytest.mark.parametrize(("thing", "least", "most"), [(DISK, 0.06, 0.07), (BOX, 0.08, 0.09)])

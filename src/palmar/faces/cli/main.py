@@ -19,6 +19,8 @@ for name, summary in {
     "closure": "Can this hand hold it, which radii can it hold, and what would have to change.",
     "region": "From where the closing motion catches the object.",
     "simulate": "What becomes of an object that starts here.",
+    "validate": "A region put to the test: random starts inside and outside of it, in a world.",
+    "testbed": "The planar test bed of the source: pre-images found by trial and error.",
     "plan": "Approaches by touch that certainly end in a grasp.",
     "touch": "What the hand's sensors buy, and how few would do.",
     "behaviours": "What the hand can be told to do, and a run of it under feedback.",

@@ -10,8 +10,10 @@ if TYPE_CHECKING:
     from palmar.worlds.world import WorldMaker
 
 Physics = Annotated[
-    Literal["planar", "mujoco"],
-    Parameter(help="The physics: this project's kernels, or MuJoCo (the extra mujoco)."),
+    Literal["planar", "mujoco", "bed"],
+    Parameter(
+        help="The physics: this project's kernels, or MuJoCo (the extra mujoco), there also with the test bed's servos."
+    ),
 ]
 
 
@@ -21,4 +23,8 @@ def maker_of(world: str) -> WorldMaker | None:
         from palmar.worlds.mujoco.world import mujoco_world
 
         return mujoco_world
+    if world == "bed":
+        from palmar.worlds.mujoco.world import bed_world
+
+        return bed_world
     return None

@@ -4,8 +4,10 @@ Only named pairs of geoms touch: the object with the hand, and fingers of one pl
 the case has them: the hand's capsules are thicker than its links by ``rounding`` and the object thinner by as much, so that
 line fingers and a line palm have a body too. A disk is a sphere, so that its contacts are closed forms; polygons are prisms.
 
-The table's friction is one contact that resists turning too, of a ball at the centre of pressure: the ellipsoidal limit
-surface with c = (largest moment) / (largest force) of the case's pressure. In free space there is no table and no weight;
+The table's friction is that of the case's pressure (``table_friction``), or one contact that resists turning too, of a
+ball at the centre of pressure: the ellipsoidal limit surface with c = (largest moment) / (largest force). The ball is on a
+foot that slides up and down by itself: were it the object, the friction of a fingertip that slides a little up or down
+would lift it, and it would hop over the table. In free space there is no table and no weight;
 contacts are damped springs that take ``CONTACT_TIME``, their damping that of the case's restitution.
 """
 
@@ -27,6 +29,8 @@ from palmar.models.case import Case
 from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
+from palmar.worlds.mujoco.bed import Bed, bed_motors, puck_joints
+from palmar.worlds.mujoco.table_friction import TableLaw
 
 GRAVITY = 9.81
 STEP, FREE_STEP = 1e-3, 5e-5
@@ -49,19 +53,33 @@ MEETING = 1e-4
 """Half thickness, in finger lengths, with which line fingers of one plane meet."""
 STIFFNESS = 0.2
 """Of a joint's servo, in units of inertia / step^2: explicit steps are stable below 1."""
+UPPER = 1e-6
+"""Share of the object's mass that is not on its foot."""
+UPPER = 1e-6
+"""Share of the object's mass that is not on its foot."""
+COUPLED = 1e-6
+"""How far (m) its centre of mass is off its origin, for MuJoCo to see that dampers couple its coordinates."""
 MOST_CORNERS, THINNEST = 64, 0.1
 """Corners; least width of a polygon in its reaches."""
 SIDES = (("right", 1.0), ("left", -1.0))
+PLANE = (("x", "1 0 0"), ("y", "0 1 0"))
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Scene:
-    """The case, its object about the centre of pressure, and the time step (s)."""
+    """The case, its object about the centre of pressure, the time step (s), the table's law, and a test bed's motors."""
 
     case: Case
     slider: Slider
     step: float
+    law: TableLaw = TableLaw.EXACT
+    bed: Bed | None = None
+
+    @property
+    def on_foot(self) -> bool:
+        """Whether the table is a single contact."""
+        return not self.free and self.law is TableLaw.ELLIPSOID
 
     @property
     def free(self) -> bool:
@@ -89,7 +107,9 @@ class Scene:
 
     @property
     def inertia(self) -> float:
-        """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space."""
+        """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space; or the bed's."""
+        if self.bed is not None:
+            return self.bed.inertia
         return (HEAVY if self.free else 1.0) * self.case.object.mass * self.case.hand.finger_length**2
 
     def xml(self) -> str:
@@ -100,7 +120,7 @@ class Scene:
         <default><geom contype="0" conaffinity="0"/><joint solreflimit="{2.0 * self.step} 1" solimplimit="0.99 0.99 0.001"/>
         <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
         <worldbody><geom name="floor" type="plane" size="1 1 1"/>{self._hand()}{self._object()}</worldbody>
-        <contact>{"".join(self._pairs())}</contact><actuator>{"".join(self._servos())}</actuator></mujoco>"""
+        <contact>{"".join(self._pairs())}</contact>{self._actuators()}{self._dampers()}</mujoco>"""
 
     def meeting(self, model: Any) -> list[int]:
         """Numbers of the geoms with which fingers of one plane meet."""
@@ -110,8 +130,7 @@ class Scene:
     def _hand(self) -> str:
         hand, mass = self.case.hand, HEAVY * self.case.object.mass
         slides = "".join(
-            f'<joint name="arm_{name}" type="slide" axis="{axis}" armature="{mass}"/>'
-            for name, axis in (("x", "1 0 0"), ("y", "0 1 0"))
+            f'<joint name="arm_{name}" type="slide" axis="{axis}" armature="{mass}"/>' for name, axis in PLANE
         )
         width = f"{-hand.half_palm} 0 0 {hand.half_palm} 0 0"
         palm = f'<geom name="palm" type="capsule" size="{self.rounding}" fromto="{width}" mass="0.001"/>'
@@ -134,13 +153,29 @@ class Scene:
         return inner
 
     def _object(self) -> str:
-        mass, size = self.case.object.mass, 0.5 * self.reach**2
-        axes = ("1 0 0", "0 1 0") if self.free else ("1 0 0", "0 1 0", "0 0 1")
-        slides = "".join(f'<joint type="slide" axis="{each}"/>' for each in axes)
-        weight = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{mass * size} {mass * size} {mass * size}"/>'
-        ball = f'<geom name="ball" type="sphere" size="{self.reach}"/>'
-        turns = '<joint axis="0 0 1"/>'
-        return f'<body name="object" pos="0 0 {self.reach}">{weight}{slides}{turns}{ball}{self._outline()}</body>'
+        """In the plane. As a single contact with the table its weight is on a foot: no finger's friction lifts that."""
+        slide, turn = ("", "") if self.bed is None or not self.free else puck_joints(self.bed)
+        slides = "".join(f'<joint name="object_{each}" type="slide" axis="{axis}"{slide}/>' for each, axis in PLANE)
+        weight = self._weight(1.0)
+        if self.on_foot:
+            ball = f'<geom name="ball" type="sphere" size="{self.reach}"/>'
+            foot = f'<body><joint type="slide" axis="0 0 1"/>{self._weight(1.0 - UPPER)}{ball}</body>'
+            weight = self._weight(UPPER) + foot
+        inner = f'{slides}<joint name="object_turn" axis="0 0 1"{turn}/>{weight}{self._outline()}'
+        return f'<body name="object" pos="0 0 {self.reach}">{inner}</body>'
+
+    def _weight(self, share: float) -> str:
+        mass = share * self.case.object.mass
+        around = 0.5 * mass * self.reach**2
+        return f'<inertial pos="{COUPLED} 0 0" mass="{mass}" diaginertia="{around} {around} {around}"/>'
+
+    def _dampers(self) -> str:
+        """Of ``TableFriction``."""
+        if self.free or self.on_foot:
+            return ""
+        turns = '<joint joint="object_turn" coef="0"/>'
+        each = "".join(f'<fixed><joint joint="object_{name}" coef="1"/>{turns}</fixed>' for name, _ in PLANE)
+        return f"<tendon>{each}</tendon>"
 
     def _outline(self) -> str:
         """The object's geom."""
@@ -160,8 +195,8 @@ class Scene:
 
     def _pairs(self) -> Iterator[str]:
         grip, table = self.case.contact.friction, self.case.support.friction
-        turning = table * self.slider.surface.length
-        if not self.free:
+        if self.on_foot:
+            turning = table * self.slider.surface.length
             yield f'<pair geom1="floor" geom2="ball" condim="4" friction="{table} {table} {turning} 0 0"/>'
         kind = f'condim="3" friction="{grip} {grip} 0 0 0"' if grip > 0.0 else 'condim="1"'
         count = len(self.case.hand.finger_links)
@@ -180,18 +215,21 @@ class Scene:
         stiff = (pi / CONTACT_TIME) ** 2
         return f' solref="{-stiff} {-2.0 * damping_ratio(self.case.contact.restitution) * sqrt(stiff)}"'
 
-    def _servos(self) -> Iterator[str]:
-        joints = [
-            (f"{name}_{k + 1}", self.inertia) for name, _ in SIDES for k in range(len(self.case.hand.finger_links))
-        ]
-        arm = HEAVY * self.case.object.mass
-        for joint, inertia in (*joints, ("arm_x", arm), ("arm_y", arm)):
-            stiff = STIFFNESS * inertia / self.step**2
-            yield f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>'
-            yield f'<velocity joint="{joint}" kv="{2.0 * (stiff * inertia) ** 0.5}"/>'
+    def _actuators(self) -> str:
+        joints = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(len(self.case.hand.finger_links))]
+        arm = "".join(self._servo(each, HEAVY * self.case.object.mass) for each in ("arm_x", "arm_y"))
+        if self.bed is not None:
+            return bed_motors(self.bed, joints, arm)
+        return f"<actuator>{''.join(self._servo(each, self.inertia) for each in joints)}{arm}</actuator>"
+
+    def _servo(self, joint: str, inertia: float) -> str:
+        """A spring to a set point that moves, and a damper."""
+        stiff = STIFFNESS * inertia / self.step**2
+        damper = f'<velocity joint="{joint}" kv="{2.0 * (stiff * inertia) ** 0.5}"/>'
+        return f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>{damper}'
 
 
-def scene_of(case: Case, step: float | None = None) -> Scene:
+def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXACT, bed: Bed | None = None) -> Scene:
     """The scene of a case; raises NotCoveredError for what it does not have."""
     hand = case.hand
     if case.ranges:
@@ -205,7 +243,7 @@ def scene_of(case: Case, step: float | None = None) -> Scene:
         raise NotCoveredError('object.shape = "polygon": in free space only disks are simulated')
     if free and hand.finger_mass is not None:
         raise NotCoveredError("hand.finger_mass_kg: the world mujoco has heavy fingers only")
-    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP))
+    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP), law, bed)
     corners = len(scene.slider.core)
     if corners > MOST_CORNERS:
         raise NotCoveredError(f"the world mujoco has polygons of up to {MOST_CORNERS} corners, not {corners}")

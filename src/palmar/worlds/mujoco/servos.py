@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from palmar.models.motion import Joints
 from palmar.worlds.mujoco.engine import mujoco
-from palmar.worlds.mujoco.scene import Scene
+from palmar.worlds.mujoco.scene import GRAVITY, Scene
+from palmar.worlds.mujoco.table_friction import TableFriction
 
 Both = tuple[Joints, Joints]
 UNLIMITED = 1e12
@@ -31,6 +32,7 @@ class Servos:
     torque: float
     stiffness: float
     at_once: bool
+    friction: TableFriction | None
     told: NDArray[np.float64] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -81,7 +83,12 @@ class Servos:
         """Let the scene go on; set points do not run away from joints that are held up."""
         number = max(1, int(np.ceil(seconds / step - 1e-6)))
         self.model.opt.timestep = seconds / number
-        mujoco.mj_step(self.model, self.data, number)
+        if self.friction is None:
+            mujoco.mj_step(self.model, self.data, number)
+        else:
+            for _ in range(number):
+                self.friction.prepare()
+                mujoco.mj_step(self.model, self.data)
         turns = self.data.qpos[2 : 2 + 2 * self.joints]
         ahead = np.where(self.told[:-2] == 0.0, UNLIMITED, self.torque) / self.stiffness
         set_points = self.data.act[: 2 * self.joints]
@@ -98,4 +105,8 @@ class Servos:
 def servos_of(scene: Scene, model: Any, data: Any) -> Servos:
     """The motors of a scene's hand."""
     joints = len(scene.case.hand.finger_links)
-    return Servos(model, data, joints, scene.torque, float(model.actuator_gainprm[0, 0]), scene.free)
+    friction = None
+    if not scene.free and not scene.on_foot:
+        force = scene.case.support.friction * scene.case.object.mass * GRAVITY
+        friction = TableFriction(model, data, 2 + 2 * joints, scene.slider.surface, force)
+    return Servos(model, data, joints, scene.torque, float(model.actuator_gainprm[0, 0]), scene.free, friction)

@@ -11,7 +11,7 @@ joints' ends stop a finger as in the planar world. In free space everything stan
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -19,10 +19,13 @@ from palmar.mechanics.pushing.slider import moved_poses
 from palmar.models.case import Case
 from palmar.models.motion import Command, Joints, Observation
 from palmar.models.outcome import Outcome
+from palmar.worlds.mujoco.bed import Bed
+from palmar.worlds.mujoco.bed_servos import BedServos, bed_servos
 from palmar.worlds.mujoco.engine import mujoco
 from palmar.worlds.mujoco.judges import Judge, Place, judge_of
 from palmar.worlds.mujoco.scene import Scene, scene_of
 from palmar.worlds.mujoco.servos import Servos, servos_of
+from palmar.worlds.mujoco.table_friction import TableLaw
 from palmar.worlds.planar.bits import Bits, Sensing, bits_of
 from palmar.worlds.planar.carriage import Touch
 from palmar.worlds.planar.feedback import NO_TIME, TICK
@@ -33,6 +36,7 @@ LOOK = 0.01
 """Longest time (s) between two looks at whether a finger is held up."""
 STALL_TURN, STALL_SHARE = 0.02, 0.1
 """A finger is held up once it has turned by less than this share of so much (rad) that it was told to turn."""
+BED = Bed()
 STILL, LEAST_CHANGE = 1e-5, 1e-9
 """Speeds (m/s, rad/s): of a scene in which nothing moves; by which a free object has changed its own where it was struck."""
 
@@ -125,8 +129,8 @@ class MujocoWorld:
         self.firing = self.bits.read(touches, self._place()[:2], seconds, displaces)
 
     def _place(self) -> Place:
-        x, y = self.data.qpos[self.first : self.first + 2].tolist()
-        return x, y, float(self.data.qpos[-1])
+        x, y, theta = self.data.qpos[self.first : self.first + 3].tolist()
+        return x, y, theta
 
     def _look(self) -> None:
         self.judge.see(self._place(), self.servos.arm)
@@ -221,6 +225,19 @@ class MujocoWorld:
         return not fingers_meet and any(each.link in mine for each in self._touches())
 
 
+Made = TypeVar("Made", bound=MujocoWorld)
+
+
+@dataclass
+class BedWorld(MujocoWorld):
+    """Made by ``bed_world``: a finger is held up once its motor has told of a contact."""
+
+    def _notice_stall(self, side: int, before: Joints, rates: Joints, span: float) -> None:
+        if any(rates) and isinstance(self.servos, BedServos) and self.servos.contact(side):
+            self.held[side] = True
+            self.gripped[side] = self._pressed(side)
+
+
 def mujoco_world(
     case: Case,
     start: tuple[float, float, float],
@@ -229,27 +246,51 @@ def mujoco_world(
     sensing: Sensing | None = None,
     massive: bool = False,
     step: float | None = None,
+    law: TableLaw = TableLaw.EXACT,
 ) -> MujocoWorld:
     """As ``feedback_world``: the object's frame at ``start`` (m, rad) in the hand frame, the fingers open and straight.
 
-    The object has the velocity of the case's start. ``step`` (s): of the simulation, else as the scene has it. Raises
+    The object has the velocity of the case's start. ``step`` (s): of the simulation, else as the scene has it;
+    ``law``: how friction with the table is had. Raises
     NotCoveredError for what this world does not have.
     """
-    scene, hand = scene_of(case, step), case.hand
+    return _begin(MujocoWorld, scene_of(case, step, law), start, tick, sensing, massive)
+
+
+def _begin(kind: type[Made], scene: Scene, start: Place, tick: float, sensing: Sensing | None, massive: bool) -> Made:
+    """A scene's world with its hand open and its object in place."""
+    case, hand = scene.case, scene.case.hand
     model = mujoco.MjModel.from_xml_string(scene.xml())
     data = mujoco.MjData(model)
     x, y, theta = (float(each) for each in moved_poses(scene.slider.centre, np.array([start]), 1.0)[0])
     servos = servos_of(scene, model, data)
+    if scene.bed is not None:
+        servos = bed_servos(servos, scene.bed)
     straight = (hand.open, *(0.0 for _ in hand.finger_links[1:]))
     servos.place((straight, straight))
     judge = judge_of(scene, (x, y, theta))
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing
     bits = bits_of(hand, case.sensors.stretches(hand), faults)
-    world = MujocoWorld(scene, model, data, servos, judge, travel_of(hand), bits, massive, tick)
+    world = kind(scene, model, data, servos, judge, travel_of(hand), bits, massive, tick)
     world.firing = (False,) * len(bits.rows)
     world.invalid = judge.overlaps(world.servos.angles)
-    data.qpos[world.first : world.first + 2], data.qpos[-1] = (x, y), theta
+    data.qpos[world.first : world.first + 3] = x, y, theta
     data.qvel[world.first : world.first + 2] = case.start.velocity
     if not world.invalid:
         world.feel(0.0, not massive)
     return world
+
+
+def bed_world(
+    case: Case,
+    start: Place,
+    *,
+    tick: float = TICK,
+    sensing: Sensing | None = None,
+    massive: bool = False,
+    step: float | None = None,
+    law: TableLaw = TableLaw.EXACT,
+    bed: Bed = BED,
+) -> BedWorld:
+    """As ``mujoco_world``, with the source's motors and its way to tell a contact; the wrist is fixed."""
+    return _begin(BedWorld, scene_of(case, step, law, bed), start, tick, sensing, massive)
