@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ from palmar.models.guarantee import Guarantee
 from palmar.models.outcome import Outcome
 from palmar.models.shipped import open_case
 from palmar.regions.build import build_region
-from palmar.regions.region import Model
+from palmar.regions.region import Model, Region
 from palmar.studies.compare import compare_regions
 from palmar.studies.plan_trial import drawn_starts
 
@@ -27,11 +27,19 @@ TEXT = (
     "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\n{hand}[object]\nradius_mm = 38\n"
     "[contact]\nfriction = {friction}\nrestitution = {restitution}\n[support]\nkind = 'free'\n[start]\n{start}"
 )
+COARSE = 0.244 / 64.0
+"""Spacing (m) that keeps a test short; the region claims no less of its inside for that."""
 KNOWN = (0.0614, 0.0856, 0.1135, 0.1546, 0.2075, 0.2434)
 
 
 def asked(hand: str = "", friction: str = "0", restitution: str = "1", start: str = "") -> Case:
     return parse_case(TEXT.format(hand=hand, friction=friction, restitution=restitution, start=start), "x")
+
+
+@cache
+def exact() -> Region:
+    """Of the known hand."""
+    return build_region(CASE)
 
 
 def is_caught(case: Case, starts: np.ndarray, e: float) -> np.ndarray:
@@ -40,7 +48,7 @@ def is_caught(case: Case, starts: np.ndarray, e: float) -> np.ndarray:
 
 
 def test_it_has_the_known_area_and_radii() -> None:
-    region = build_region(CASE, tolerance=0.244 / 512.0)
+    region = exact()
     assert region.guarantee is Guarantee.SAMPLED
     assert region.area == pytest.approx(0.04003, abs=5e-5)
     assert region.outer is not None
@@ -53,9 +61,9 @@ def test_it_has_the_known_area_and_radii() -> None:
 
 @pytest.mark.parametrize("model", [Model.PUBLISHED, Model.CORRECTED])
 def test_the_constructions_lie_inside_it(model: Model) -> None:
-    exact = build_region(CASE)
-    assert exact.outer is not None
-    assert build_region(CASE, model).centre.difference(exact.outer).area < 1e-8
+    outer = exact().outer
+    assert outer is not None
+    assert build_region(CASE, model).centre.difference(outer).area < 1e-8
 
 
 @pytest.mark.parametrize(
@@ -72,7 +80,8 @@ def test_the_constructions_lie_inside_it(model: Model) -> None:
     ids=["elastic", "range", "thick", "opened", "finite mass", "friction", "moving"],
 )
 def test_starts_inside_are_caught_and_starts_outside_are_not(case: Case) -> None:
-    region = build_region(case)
+    coarse = case.ranges or case.start.velocity != (0.0, 0.0)
+    region = build_region(case, tolerance=2.0 * COARSE if coarse else COARSE)
     starts = drawn_starts(region.centre, 3000, 7)
     es = (0.4, 0.55, 0.83, 1.0) if case.ranges else (case.contact.restitution,)
     for e in es:
@@ -89,7 +98,7 @@ def test_starts_inside_are_caught_and_starts_outside_are_not(case: Case) -> None
 
 def test_it_does_not_depend_on_the_rate_but_for_moving_disks() -> None:
     quick = CASE.model_copy(update={"hand": CASE.hand.model_copy(update={"finger_rate": 5.0})})
-    assert build_region(quick).centre.equals_exact(build_region(CASE).centre, 1e-7)
+    assert build_region(quick).centre.equals_exact(exact().centre, 1e-7)
 
 
 def test_a_faster_hand_meets_a_faster_disk_alike() -> None:
@@ -97,14 +106,17 @@ def test_a_faster_hand_meets_a_faster_disk_alike() -> None:
     hand = slow.hand.model_copy(update={"finger_rate": 3.0 * slow.hand.finger_rate})
     start = slow.start.model_copy(update={"velocity": (0.03, -0.06)})
     fast = slow.model_copy(update={"hand": hand, "start": start})
-    one, other = build_region(slow).centre, build_region(fast).centre
+    one, other = (build_region(each, tolerance=4.0 * COARSE).centre for each in (slow, fast))
     assert one.symmetric_difference(other).area < 1e-4 * one.area
 
 
 def test_it_shrinks_where_more_restitutions_are_asked_about() -> None:
-    wide, narrow = build_region(asked(restitution="'0..1'")), build_region(asked(restitution="'0.9..1'"))
-    assert wide.area < narrow.area < build_region(asked(restitution="1")).area
-    assert "9 values from 0 to 1" in wide.notes[0]
+    both, low, high = (
+        build_region(asked(restitution=each), tolerance=2.0 * COARSE) for each in ("'0.5..1'", "0.5", "1")
+    )
+    assert both.area < min(low.area, high.area)
+    assert both.centre.difference(low.centre.buffer(1e-4)).is_empty
+    assert "9 values from 0.5 to 1" in both.notes[0]
 
 
 def test_what_is_not_covered_says_so() -> None:
@@ -118,5 +130,5 @@ def test_what_is_not_covered_says_so() -> None:
 
 def test_structural_closure_takes_contacts_as_frictionless() -> None:
     rough = build_region(asked(friction="0.5"), closure=Closure.STRUCTURAL)
-    smooth = replace(build_region(asked()), closure=Closure.STRUCTURAL)
-    assert rough.centre.equals(smooth.centre)
+    assert rough.closure is Closure.STRUCTURAL
+    assert rough.centre.equals(exact().centre)

@@ -3,7 +3,11 @@
 A paddle that goes at g v against a disk that comes at v returns it at (e + g (1 + e)) v (``matched_return_4_3_2``); with
 g = -e / (1 + e) the disk stops dead, wherever they meet, so no time need be predicted. The arm takes that share of the
 velocity that the tracker tells, along the normal of the palm, and all of it along the palm. When the tracker tells that
-the disk has been struck, or a sensor on the palm does, the arm stops going back and the hand closes on a disk at rest.
+the disk has been struck, or a sensor on the palm does, the arm stops going back and the hand closes on a disk at rest; it
+keeps going along the palm as the disk last came, for what the fingers do to the disk then is not followed.
+
+A tracker that is wrong about the velocity by (p, q) leaves the disk with (-p, e q) as the hand sees it, and one that tells
+of the impact after a time d leaves e / (1 + e) v d between them.
 """
 
 from __future__ import annotations
@@ -31,12 +35,15 @@ class Phase(Enum):
 
 @dataclass(frozen=True)
 class Returning:
-    """When it began and last saw (s), the arm's velocity and how fast the disk first came (m/s), the phase."""
+    """When it began and last saw (s), the arm's velocity, how fast the disk first came and last went along the palm (m/s),
+    the phase, and since when (s) it closes.
+    """
 
     began: float
     last: float
     velocity: Vector = (0.0, 0.0)
     coming: float = 0.0
+    along: float = 0.0
     phase: Phase = Phase.LOOKS
     closing_since: float = inf
 
@@ -79,11 +86,11 @@ class MatchedReturn:
             if not self.places.palm_feels(seen) and abs(vy + state.coming) <= CHANGED * state.coming:
                 if seen.time - state.began > self.patience:
                     return state, self.drive.end("the object has not come to the palm in time")
-                state = replace(state, velocity=towards((vx, self.share * vy), state.velocity, most))
+                state = replace(state, velocity=towards((vx, self.share * vy), state.velocity, most), along=vx)
                 return state, self.drive.rest("yield to the object", state.velocity)
             state = replace(state, phase=Phase.CLOSES, closing_since=seen.time)
         shut = seen.time > state.closing_since + self.hold or all(seen.stalled)
-        state = replace(state, velocity=towards((0.0 if shut else vx, 0.0), state.velocity, most))
+        state = replace(state, velocity=towards((0.0 if shut else state.along, 0.0), state.velocity, most))
         if shut and state.velocity == (0.0, 0.0):
             return state, self.drive.close_to_the_end(seen, "shut: close on")
         return state, self.drive.close("struck: close on it", state.velocity)

@@ -2,7 +2,8 @@
 
 A reflex decides by what it feels, so no closed form and no batch kernel has its region. Starts on a square grid are run one
 by one, on every processor that the executor has, and the grid is halved where neighbours differ (``boundary_search``):
-``sampled``. The object starts at the case's orientation and, in free space, velocity.
+``sampled``. The object starts at the case's orientation and, in free space, velocity. Where a tracker errs, a start counts
+as caught if it is with each of a number of draws of its errors, the same draws for every start.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.behaviours.reflex import Reflex
-from palmar.errors import NotCoveredError
+from palmar.errors import InputError, NotCoveredError
 from palmar.geometry.planar_set import EMPTY
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
@@ -40,6 +41,8 @@ SPACING = 1.0 / 32.0
 """Default spacing of the starts, in finger lengths."""
 FINEST = 1.0 / 512.0
 CHUNK = 8
+SURE = 0.95
+"""Confidence in the least chance of a start that was caught with every draw."""
 ADVANCING = {
     BehaviourName.MOVE_AND_GRAB,
     BehaviourName.MOVE_WHILE_CLOSING,
@@ -57,16 +60,20 @@ def behaviour_region(
     spacing: float | None = None,
     circumstances: Circumstances = EVERY_TICK,
     report: Report | None = None,
+    draws: int = 1,
 ) -> Region:
     """The region of the case's behaviour; ``spacing`` (m) of the starts at its boundary; ``report`` hears how many are done.
 
-    Raises NotCoveredError where hand or object do not allow the behaviour, and for ranges.
+    ``draws``: of the tracker's errors, from its seed on, with each of which a start has to be caught. Raises
+    NotCoveredError where hand or object do not allow the behaviour, and for ranges; InputError for draws of no errors.
     """
     if case.ranges:
         raise NotCoveredError("regions of behaviours under feedback take plain numbers, not ranges")
     length = case.hand.finger_length
     wanted = max(spacing or SPACING * length, FINEST * length)
-    asked = _Runs(case, behaviour_of(case), circumstances, executor, report)
+    trackers = _drawn(circumstances.tracker, draws)
+    several = tuple(replace(circumstances, tracker=each) for each in trackers)
+    asked = _Runs(case, behaviour_of(case), several, executor, report)
     box = _box(case)
     if circumstances.tracker is not None:
         box = replace(box, mirrored=False)  # its errors are the same on both sides
@@ -89,7 +96,7 @@ def behaviour_region(
         notes=(
             f"{asked.done} runs of {behaviour}, {1e3 * nodes.step:.3g} mm apart at the boundary, observed every"
             f" {1e3 * circumstances.tick:.3g} ms",
-            *_tracked(circumstances.tracker),
+            *_tracked(trackers),
         ),
         outer=cells(corners_touching(any_near(nodes.held)), origin, nodes.step),
         orientations=None if isinstance(case.object, Disk) else (case.start.theta, case.start.theta),
@@ -97,14 +104,34 @@ def behaviour_region(
     )
 
 
-def _tracked(tracker: Tracker | None) -> tuple[str, ...]:
-    """What the tracker of all runs was like."""
-    if tracker is None:
+def _drawn(tracker: Tracker | None, draws: int) -> tuple[Tracker | None, ...]:
+    """The tracker with so many draws of its errors."""
+    if draws < 1:
+        raise InputError("draws", str(draws), "must be at least 1")
+    if draws > 1 and (tracker is None or tracker.position_sigma == tracker.velocity_sigma == 0.0):
+        raise InputError("draws", str(draws), "more than one draw needs a tracker with errors")
+    return (tracker,) if tracker is None else tuple(replace(tracker, seed=tracker.seed + k) for k in range(draws))
+
+
+def _tracked(trackers: tuple[Tracker | None, ...]) -> tuple[str, ...]:
+    """What the tracker of all runs was like, and what being caught with its draws says."""
+    first = trackers[0]
+    if first is None:
         return ()
-    x, y, vx, vy = (1e3 * each for each in tracker.errors())
+    late = f"the object is tracked {1e3 * first.delay:.4g} ms late"
+    if first.position_sigma == first.velocity_sigma == 0.0:
+        return (f"{late}, without errors",)
+    if len(trackers) == 1:
+        x, y, vx, vy = (1e3 * each for each in first.errors())
+        return (
+            f"{late}, off by ({x:.3g}, {y:.3g}) mm and ({vx:.3g}, {vy:.3g}) mm/s: one draw of its errors (seed"
+            f" {first.seed}), the same in all runs, so the region says nothing of the chance with others",
+        )
+    chance = (1.0 - SURE) ** (1.0 / len(trackers))
     return (
-        f"the object is tracked {1e3 * tracker.delay:.4g} ms late, off by ({x:.3g}, {y:.3g}) mm and ({vx:.3g}, {vy:.3g})"
-        f" mm/s: one draw (seed {tracker.seed}), the same in all runs",
+        f"{late}; its starts are caught with each of {len(trackers)} draws of its errors (seeds {first.seed} to"
+        f" {first.seed + len(trackers) - 1}), so one chosen beforehand has a chance of at least {chance:.3f}"
+        f" ({100.0 * SURE:g} % confidence)",
     )
 
 
@@ -114,18 +141,18 @@ class _Runs:
 
     case: Case
     reflex: Reflex[Any]
-    circumstances: Circumstances
+    circumstances: tuple[Circumstances, ...]
     executor: Executor
     report: Report | None
     done: int = 0
 
     def caught(self, x: Floats, y: Floats) -> Bools:
-        """Which starts (N,), (N,), m, end caught."""
+        """Which starts (N,), (N,), m, end caught in all circumstances."""
         places = [(float(a), float(b), self.case.start.theta) for a, b in zip(x, y, strict=True)]
         found: list[bool] = []
-        for part in self.executor.map(_run_some, self._parts(places)):
+        for part, runs in self.executor.map(_run_some, self._parts(places)):
             found += part
-            self.done += len(part)
+            self.done += runs
             if self.report is not None:
                 self.report(self.done)
         return np.array(found, dtype=bool)
@@ -139,14 +166,22 @@ class _Runs:
 class _Part:
     case: Case
     reflex: Reflex[Any]
-    circumstances: Circumstances
+    circumstances: tuple[Circumstances, ...]
     places: tuple[tuple[float, float, float], ...]
 
 
-def _run_some(part: _Part) -> list[bool]:
-    """Whether each start of a part is caught."""
-    ends = (run_behaviour(part.case, each, part.circumstances, part.reflex) for each in part.places)
-    return [each.trace.outcome.caught for each in ends]
+def _run_some(part: _Part) -> tuple[list[bool], int]:
+    """Whether each start of a part is caught in all circumstances, and how many runs it took to know."""
+    found, runs = [], 0
+    for place in part.places:
+        caught = True
+        for each in part.circumstances:
+            caught = run_behaviour(part.case, place, each, part.reflex).trace.outcome.caught
+            runs += 1
+            if not caught:
+                break
+        found.append(caught)
+    return found, runs
 
 
 def _box(case: Case) -> Box:

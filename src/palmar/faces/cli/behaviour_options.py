@@ -49,6 +49,14 @@ def with_velocity(case: Case, velocity: str | None) -> Case:
     return case.model_copy(update={"start": case.start.model_copy(update={"velocity": (vx, vy)})})
 
 
+def placed(case: Case, start: str | None) -> Case:
+    """The case with the start place of the option, where it is given."""
+    if start is None:
+        return case
+    x, y = (1e-3 * each for each in numbers(start, "--start", (2,), "X_MM,Y_MM"))
+    return case.model_copy(update={"start": case.start.model_copy(update={"at": (x, y)})})
+
+
 def tracker_of(track: str | None, seed: int) -> Tracker | None:
     """The tracker of the option; None without it."""
     from palmar.worlds.planar.tracker import Tracker

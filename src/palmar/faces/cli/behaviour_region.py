@@ -30,6 +30,8 @@ from palmar.faces.cli.texts import region_text, titled
 from palmar.faces.records import region_record
 from palmar.models.shipped import open_case
 
+MOST_DRAWS = 1000
+
 
 def region(
     case: CaseName,
@@ -38,7 +40,10 @@ def region(
     velocity: Velocity = None,
     sensors: Layout = None,
     track: Track = None,
-    seed: Annotated[int, Parameter(help="Of the tracker's errors, which are the same in all runs.")] = 0,
+    seed: Annotated[int, Parameter(help="Of the tracker's errors: of the first of their draws.")] = 0,
+    draws: Annotated[
+        int, Parameter(help="Of the tracker's errors, with each of which a start has to be caught; the same for all.")
+    ] = 1,
     massive: Massive = None,
     tick: Annotated[Number, Parameter(help="Time between two observations in ms.")] = "20",
     tolerance: Annotated[str | None, Parameter(help="In mm: how far starts may be apart at the boundary.")] = None,
@@ -58,8 +63,11 @@ def region(
     given = with_velocity(with_behaviour(given, behaviour, sensors), velocity)
     if not 0 <= seed < 2**32:
         raise InputError("--seed", str(seed), f"must be from 0 to {2**32 - 1}")
+    tracker = tracker_of(track, seed)
+    if not 1 <= draws <= MOST_DRAWS:
+        raise InputError("--draws", str(draws), f"must be from 1 to {MOST_DRAWS}")
     seconds = 1e-3 * within("--tick", tick, 1.0, 1000.0)
-    circumstances = Circumstances(tick=seconds, massive=massive, tracker=tracker_of(track, seed))
+    circumstances = Circumstances(tick=seconds, massive=massive, tracker=tracker)
     finely = fineness(tolerance, given)
     shows = sys.stderr.isatty()
 
@@ -69,7 +77,7 @@ def region(
     # A fresh interpreter for each process: one forked from threads may wait forever.
     pool = ProcessPoolExecutor(cpu_count() or 1, mp_context=get_context("spawn"))
     try:
-        result = behaviour_region(given, pool, finely, circumstances, report if shows else None)
+        result = behaviour_region(given, pool, finely, circumstances, report if shows else None, draws)
     finally:
         pool.shutdown(cancel_futures=True)
         if shows:

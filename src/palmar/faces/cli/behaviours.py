@@ -24,6 +24,7 @@ from palmar.faces.cli.behaviour_options import (
     with_velocity,
     within,
 )
+from palmar.faces.cli.behaviour_chance import chance
 from palmar.faces.cli.behaviour_region import region
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.texts import table, titled
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
 
 app = App(name="behaviours")
 app.command(region)
+app.command(chance)
 app.command(travel)
 Text = Annotated[str | None, Parameter(allow_leading_hyphen=True)]
 

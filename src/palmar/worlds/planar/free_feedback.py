@@ -154,6 +154,8 @@ def free_feedback_world(
     watched = None if tracker is None else tracked(tracker)
     world = FreeFeedbackWorld(carriage, FingerPair(travel_of(hand), (straight, straight)), bits, tick, watched)
     world.firing = (False,) * len(bits.rows)
+    if watched is not None:
+        watched.see(0.0, (*start[:2], *case.start.velocity))  # of an invalid start there is nothing else to tell
     if not world.broken:
         world.feel(carriage.touches(), 0.0)
     return world
