@@ -10,7 +10,6 @@ from PIL import Image
 
 from palmar.studies import strategies
 
-
 FRICTIONLESS = """
 [hand]
 palm_width_mm = 120.0
@@ -45,9 +44,21 @@ def test_the_preshape_in_free_space(palmar) -> None:
     assert none.status == 1 and "at most 0.3003 proximal links" in none.out
 
 
+def test_the_preshape_for_a_disk_from_straight_ahead(palmar) -> None:
+    record = palmar("preshape", "testbed_free", "--from", "90", "--json").record
+    low, high = record["direct_m"]
+    assert low == pytest.approx(-high)
+    assert record["width_m"] == pytest.approx(0.197, abs=1e-3)
+    assert sum(record["cone_rad"]) == pytest.approx(3.14159265)
+    assert "paths over 197 mm end at the palm" in palmar("preshape", "testbed_free", "--from", "90").out
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        (["preshape", "testbed_free", "--from", "0"], "between 0 and 180"),
+        (["preshape", "testbed_table", "--from", "90"], "free disks"),
+        (["preshape", "chapter2_example", "--from", "90"], "free disks"),
         (["preshape", "zero_g_example"], "fingers of two links"),
         (["preshape", "adaptive_hand"], "for disks"),
         (["strategies", "chapter3_example"], "two links, not 1"),
