@@ -1,0 +1,300 @@
+"""Disks held by a symmetric hand whose joints have limits, for fingers of up to three links: a search over stances.
+
+Link after link closes from its lowest angle until it meets its limit, the palm line or the disk (rho = R + half thickness
+from the centre); how far, as a share of that, is free. The link that is to touch goes on to the disk. A stance holds if a
+contact can push the disk down (elevation e >= -alpha) and the palm, or a contact at e <= alpha, can push it up: the
+palm, a link below the highest contact, or with friction the contact itself. Its ``margin`` is the least of these
+angles, of what is left to every limit, and of the reach that is left, so a disk is held if the greatest margin over the
+free shares, and over the height off the palm, is not negative. That margin is continuous; it is sought on grids that are
+narrowed around the best, for all radii at once, and the radii are where it changes sign.
+
+Fingers pass the disk on the outside: the folded hold of small disks (docs/derivations/four_jointed.md) is not looked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import product
+from math import pi, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.mechanics.closure.stance import Stance
+
+Floats = NDArray[np.float64]
+MOST_LINKS = 3
+SMALLEST = 1e-3
+"""Least radius looked at, as a share of half the hand: one held there stands for all smaller ones."""
+RADII, FINER_RADII, ROUNDS = 97, 33, 2
+FIRST_NODES, NODES = (1, 101, 31, 11), (1, 9, 5, 5)
+"""Nodes along each unknown of a grid, for 0 to 3 unknowns."""
+COARSE_LEVELS, LEVELS = (1, 8, 12, 14), (1, 30, 140, 80)
+NARROWING = (0.0, 0.55, 0.88, 0.8)
+"""Slow where a ridge of the margin may lie askew in the grid."""
+STRIDES = np.array([-2.0, -0.5, 0.5, 1.0, 2.0, 4.0, 8.0])
+"""Steps ahead along the last moves, in their length, tried beside the grid."""
+HELD, LIMIT = 1e-7, -1e-6
+"""Margins (rad, or share of the hand) from which a disk counts as held, and down to which the stance at a limit is shown.
+
+A margin of no more than the root of the rounding error is no hold: without friction, two tips that meet at the equator have none.
+"""
+NEARLY = 0.2
+"""A peak of the margin down to minus this is looked at more closely."""
+
+
+@dataclass(frozen=True)
+class LimitedHand:
+    """Half palm and links (m), (lowest, highest) angle of each joint (rad), friction angle, half thickness (m)."""
+
+    half_palm: float
+    links: tuple[float, ...]
+    limits: tuple[tuple[float, float], ...]
+    friction_angle: float = 0.0
+    half_thickness: float = 0.0
+    crossing: bool = True
+
+    @property
+    def size(self) -> float:
+        """Half palm and finger (m)."""
+        return self.half_palm + sum(self.links)
+
+
+@dataclass(frozen=True)
+class LimitedRadii:
+    """Intervals of radii (m) that are held, in ascending order, and the stance with the largest disk."""
+
+    intervals: tuple[tuple[float, float], ...]
+    largest: Stance | None
+
+
+def limited_radii(hand: LimitedHand) -> LimitedRadii:
+    """The radii held within the joint limits; intervals narrower than about a tenth of a radius may be missed.
+
+    A disk held at a thousandth of half the hand counts as held down to 0.
+    """
+    s = sin(hand.friction_angle)
+    most = (2.0 / max(1.0 - s, 1e-9) if s > 0.0 else 0.64) * hand.size
+    radii = np.geomspace(SMALLEST * hand.size, most, RADII)
+    margins = _greatest(_ways(hand), radii, COARSE_LEVELS)
+    radii, margins = _closer(hand, radii, margins)
+    held = margins >= HELD
+    changes = np.flatnonzero(held[1:] != held[:-1])
+    ends = [_end(hand, radii[at : at + 2], bool(held[at])) for at in changes]
+    if held[0]:
+        ends = [0.0, *ends]
+    if not ends:
+        return LimitedRadii((), None)
+    return LimitedRadii(tuple(zip(ends[::2], ends[1::2], strict=True)), stance_at(hand, ends[-1]))
+
+
+def stance_at(hand: LimitedHand, radius: float) -> Stance | None:
+    """The stance with the greatest margin for a disk of ``radius`` (m), None where it is not held."""
+    found = [_searched(each, np.array([radius]), LEVELS) for each in _ways(hand)]
+    best = max(found, key=lambda each: float(each.margin[0]))
+    if best.margin[0] < LIMIT:
+        return None
+    way = best.way
+    return Stance(
+        radius, float(best.height[0]), tuple(best.angles[:, 0].tolist()), way.last, float(best.elevation[0]), way.carrier
+    )
+
+
+def _greatest(ways: Iterable[_Way], radii: Floats, levels: tuple[int, ...]) -> Floats:
+    return np.maximum.reduce([_searched(way, radii, levels).margin for way in ways])
+
+
+def _closer(hand: LimitedHand, radii: Floats, margins: Floats) -> tuple[Floats, Floats]:
+    """The scan with more radii around its peaks that only just fail, and about every end of an interval."""
+    walled = np.pad(margins, 1, constant_values=-np.inf)
+    peak = (margins >= walled[:-2]) & (margins >= walled[2:]) & (margins > np.minimum(walled[:-2], walled[2:]) - LIMIT)
+    held = margins >= HELD
+    near = peak & ~held & (margins > -NEARLY)
+    edge = np.zeros_like(near)
+    edge[:-1] |= held[1:] != held[:-1]
+    edge[1:] |= held[1:] != held[:-1]
+    more = [
+        np.geomspace(radii[max(at - 1, 0)], radii[min(at + 1, radii.size - 1)], FINER_RADII)
+        for at in np.flatnonzero(near | edge)
+    ]
+    if not more:
+        return radii, margins
+    finer = np.setdiff1d(np.concatenate(more), radii)
+    values = _greatest(_ways(hand), finer, LEVELS)
+    order = np.argsort(np.concatenate([radii, finer]))
+    return np.concatenate([radii, finer])[order], np.concatenate([margins, values])[order]
+
+
+def _end(hand: LimitedHand, between: Floats, held_below: bool) -> float:
+    """Where holding ends or begins between two radii: the side that is held."""
+    low, high = between
+    ways = [way for way in _ways(hand) if _searched(way, between, LEVELS).margin.max() > -NEARLY]
+    for _ in range(ROUNDS):
+        radii = np.linspace(low, high, FINER_RADII)
+        held = _greatest(ways, radii, LEVELS) >= HELD
+        held[0], held[-1] = held_below, not held_below
+        at = int(np.flatnonzero(held != held_below)[0])
+        low, high = float(radii[at - 1]), float(radii[at])
+    return low if held_below else high
+
+
+def _ways(hand: LimitedHand) -> Iterator[_Way]:
+    """Link ``last`` pushes the disk down; what pushes it up."""
+    for last in range(1, len(hand.links) + 1):
+        yield from (_Way(hand, last, carrier) for carrier in range(last))
+        if hand.friction_angle > 0.0:
+            yield _Way(hand, last, None)
+
+
+@dataclass(frozen=True)
+class _Found:
+    """For every radius the greatest margin, and what it was found at: arrays (radii), angles (links, radii)."""
+
+    way: _Way
+    margin: Floats
+    height: Floats
+    angles: Floats
+    elevation: Floats
+
+
+def _searched(way: _Way, radii: Floats, levels: tuple[int, ...]) -> _Found:
+    """The greatest margin over the unknowns, each in [0, 1], by grids narrowed around the best of every radius."""
+    count, rows = way.unknowns, np.arange(radii.size)
+    middle, moved, half = np.full((radii.size, count), 0.5), np.zeros((radii.size, count)), 0.5
+    best: _Found | None = None
+    for level in range(levels[count]):
+        grid = _grid(count, level)
+        ahead = moved[:, None, :] * STRIDES[:, None] if level and count > 1 else moved[:, :0].reshape(radii.size, 0, count)
+        places = np.clip(middle[:, None, :] + np.concatenate([np.broadcast_to(half * grid, (radii.size, *grid.shape)), ahead], axis=1), 0.0, 1.0)
+        tried = way.stances(radii[:, None], places)
+        pick = tried.margin.argmax(axis=1)
+        chosen = _Found(
+            way, *(each[rows, pick] for each in (tried.margin, tried.height)),
+            tried.angles[:, rows, pick], tried.elevation[rows, pick],
+        )  # fmt: skip
+        better = np.ones(radii.size, bool) if best is None else chosen.margin > best.margin
+        step = np.where(better[:, None], places[rows, pick] - middle, 0.0)
+        moved = np.where(better[:, None], 0.5 * moved * (level > 1) + step * (level > 0), moved)
+        middle = middle + step
+        best = chosen if best is None else _taken(better, chosen, best)
+        half *= NARROWING[count] if level else 4.0 / FIRST_NODES[count]
+    assert best is not None
+    return best
+
+
+@cache
+def _grid(count: int, level: int) -> Floats:
+    """Places (N, ``count``) about 0: at first an even grid, then one that is turned and stretched in another way each time."""
+    steps = np.linspace(-1.0, 1.0, NODES[count] if level else FIRST_NODES[count])
+    grid = np.array(list(product(steps, repeat=count))).reshape(steps.size**count, count)
+    if level == 0 or count < 2:
+        return grid
+    chance = np.random.default_rng(level)
+    turned = np.linalg.qr(chance.normal(size=(count, count)))[0]
+    return np.asarray(grid * 10.0 ** -chance.uniform(0.0, 1.5, count) @ turned)
+
+
+def _taken(better: NDArray[np.bool_], new: _Found, old: _Found) -> _Found:
+    return replace(
+        old,
+        margin=np.where(better, new.margin, old.margin),
+        height=np.where(better, new.height, old.height),
+        angles=np.where(better, new.angles, old.angles),
+        elevation=np.where(better, new.elevation, old.elevation),
+    )
+
+
+@dataclass(frozen=True)
+class _Way:
+    """Link ``last`` (from 1) touches highest; the palm (``carrier`` 0), a link before it, or friction (None) carries."""
+
+    hand: LimitedHand
+    last: int
+    carrier: int | None
+
+    @property
+    def unknowns(self) -> int:
+        """Links that stop somewhere before the disk, and the height of a disk off the palm."""
+        return self.last - 1 - bool(self.carrier) + (self.carrier != 0)
+
+    def stances(self, radius: Floats, shares: Floats) -> _Found:
+        """Stances for radii (K, 1) and shares (K, N, unknowns)."""
+        hand, alpha = self.hand, self.hand.friction_angle
+        free = iter(np.moveaxis(shares, -1, 0))
+        radius = np.broadcast_to(radius, shares.shape[:2])
+        height = radius + (next(free) * hand.size if self.carrier != 0 else 0.0)
+        turtle = _Links(hand, radius + hand.half_thickness, height)
+        margin = np.full(radius.shape, np.inf)
+        elevation = margin
+        for k in range(1, len(hand.links) + 1):
+            if k == self.last:
+                elevation = turtle.touch()
+                margin = np.minimum(margin, np.minimum(elevation, pi - elevation) + alpha)
+                margin = np.minimum(margin, alpha - elevation) if self.carrier is None else margin
+            elif k == self.carrier:
+                margin = np.minimum(margin, alpha - turtle.touch())
+            else:
+                turtle.stay_clear(next(free) if k < self.last else None)
+            margin = np.minimum(margin, turtle.margin)
+        return _Found(self, margin, height, np.array(turtle.angles), elevation)
+
+
+class _Links:
+    """Places one link after the other; ``margin`` is what the last one left to its limits, negative if it broke one."""
+
+    def __init__(self, hand: LimitedHand, rho: Floats, height: Floats) -> None:
+        self._hand, self._rho, self._height = hand, rho, height
+        self._x, self._y = np.full(rho.shape, hand.half_palm), np.zeros(rho.shape)
+        self._direction = np.zeros(rho.shape)
+        self.angles: list[Floats] = []
+        self.margin = np.full(rho.shape, np.inf)
+
+    def touch(self) -> Floats:
+        """The next link closes on the disk; returns the elevation of its contact (rad)."""
+        low, high, met, reach, tangent = self._next()
+        self._place(met, np.minimum.reduce([met - low, high - met, reach]))
+        x, y = self._x, self._y - self._height
+        return np.where(tangent, met - 0.5 * pi, np.arctan2(y, x))
+
+    def stay_clear(self, share: Floats | None) -> None:
+        """The next link closes by this share of the way to disk or limit; None: as nearly straight on as it can."""
+        low, high, met, reach, _ = self._next()
+        far = np.maximum(np.where(reach < 0.0, high, np.minimum(high, met)), low)
+        place = np.clip(self._direction, low, far) if share is None else low + share * (far - low)
+        left = np.where(reach < 0.0, high - low, np.minimum(high, met) - low)
+        self._place(place, left)
+
+    def _next(self) -> tuple[Floats, Floats, Floats, Floats, NDArray[np.bool_]]:
+        """Lowest and highest direction (rad), that which meets the disk, reach left (share), whether met tangentially."""
+        hand, k = self._hand, len(self.angles)
+        length, (low, high) = hand.links[k], hand.limits[k]
+        dip = np.arcsin(np.clip(self._y / length, 0.0, 1.0))
+        free = self._y >= length
+        lowest = np.where(free, -np.inf, -dip)
+        highest = np.where(free, np.inf, pi + dip)
+        far = np.hypot(self._x, self._height - self._y)
+        towards = np.mod(np.arctan2(self._height - self._y, -self._x), 2.0 * pi)
+        tau = np.sqrt(np.maximum(far**2 - self._rho**2, 0.0))
+        sides = (self._rho - length + far) * (self._rho + length - far), (far + length - self._rho) * (
+            far + length + self._rho
+        )
+        tip = 2.0 * np.arctan2(np.sqrt(np.maximum(sides[0], 0.0)), np.sqrt(np.maximum(sides[1], 0.0)))
+        tangent = tau <= length
+        aside = np.where(tangent, np.arctan2(self._rho, tau), tip)
+        reach = np.minimum(length + self._rho - far, np.inf) / hand.size
+        self._inside = np.where(far < self._rho * (1.0 - 1e-12), (far - self._rho) / hand.size, np.inf)
+        return (
+            np.maximum(self._direction + low, lowest), np.minimum(self._direction + high, highest),
+            towards - aside, reach, tangent,
+        )  # fmt: skip
+
+    def _place(self, direction: Floats, left: Floats) -> None:
+        length = self._hand.links[len(self.angles)]
+        self.angles.append(direction - self._direction)
+        self._direction = direction
+        self._x, self._y = self._x + length * np.cos(direction), self._y + length * np.sin(direction)
+        self.margin = np.minimum(left, self._inside)
+        if not self._hand.crossing:
+            self.margin = np.minimum(self.margin, (self._x - self._hand.half_thickness) / self._hand.size)
