@@ -250,7 +250,7 @@ def _by(radius: float, radii: RadiusRange | None, cases: dict[str, Intervals], h
     if able:
         return f"by {' or by '.join(able)}"
     if hold is None or held:
-        return "by palm and fingers"
+        return "by the fingers, with or without the palm"
     return f"by {carriers(hold)}"
 
 

@@ -28,7 +28,7 @@ Floats = NDArray[np.float64]
 MOST_LINKS = 3
 SMALLEST = 1e-3
 """Least radius looked at, as a share of half the hand: one held there stands for all smaller ones."""
-RADII, FINER_RADII, ROUNDS = 97, 33, 2
+RADII, CLOSER_RADII, FINER_RADII, ROUNDS = 97, 9, 33, 3
 FIRST_NODES, NODES = (1, 101, 31, 11), (1, 9, 5, 5)
 """Nodes along each unknown of a grid, for 0 to 3 unknowns."""
 COARSE_LEVELS, LEVELS = (1, 8, 12, 14), (1, 30, 140, 80)
@@ -43,6 +43,8 @@ A margin of no more than the root of the rounding error is no hold: without fric
 """
 NEARLY = 0.2
 """A peak of the margin down to minus this is looked at more closely."""
+PROMINENT = 5e-3
+"""By how much a peak rises above the lower of its neighbours at least; less may be the coarse search."""
 
 
 @dataclass(frozen=True)
@@ -109,14 +111,14 @@ def _greatest(ways: Iterable[_Way], radii: Floats, levels: tuple[int, ...]) -> F
 def _closer(hand: LimitedHand, radii: Floats, margins: Floats) -> tuple[Floats, Floats]:
     """The scan with more radii around its peaks that only just fail, and about every end of an interval."""
     walled = np.pad(margins, 1, constant_values=-np.inf)
-    peak = (margins >= walled[:-2]) & (margins >= walled[2:]) & (margins > np.minimum(walled[:-2], walled[2:]) - LIMIT)
+    peak = (margins >= walled[:-2]) & (margins >= walled[2:]) & (margins > np.minimum(walled[:-2], walled[2:]) + PROMINENT)
     held = margins >= HELD
     near = peak & ~held & (margins > -NEARLY)
     edge = np.zeros_like(near)
     edge[:-1] |= held[1:] != held[:-1]
     edge[1:] |= held[1:] != held[:-1]
     more = [
-        np.geomspace(radii[max(at - 1, 0)], radii[min(at + 1, radii.size - 1)], FINER_RADII)
+        np.geomspace(radii[max(at - 1, 0)], radii[min(at + 1, radii.size - 1)], CLOSER_RADII)
         for at in np.flatnonzero(near | edge)
     ]
     if not more:
