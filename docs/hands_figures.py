@@ -1,4 +1,4 @@
-"""The picture and the table of docs/hands.md: `python docs/hands_figures.py` writes hands.svg beside it and prints the rows."""
+"""Picture and table of docs/hands.md: `python docs/hands_figures.py` writes hands.svg beside it and prints the rows."""
 
 from __future__ import annotations
 

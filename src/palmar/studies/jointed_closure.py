@@ -8,11 +8,12 @@ from math import hypot, nan, pi, tan
 import numpy as np
 
 from palmar.mechanics.closure.chain import Chain, largest_hold
+from palmar.mechanics.closure.closing_links import LimitedHand
 from palmar.mechanics.closure.disk_2_2 import Radii, frictional_radii, structural_radii
 from palmar.mechanics.closure.four_jointed_5_1 import CASES, four_jointed_radii
 from palmar.mechanics.closure.four_jointed_cradle import folded_radius
 from palmar.mechanics.closure.four_jointed_friction import largest_with_friction
-from palmar.mechanics.closure.limited import MOST_LINKS, LimitedHand, LimitedRadii, limited_radii, stance_at
+from palmar.mechanics.closure.limited import MOST_LINKS, LimitedRadii, limited_radii, stance_at
 from palmar.mechanics.closure.stance import Stance, stance_of
 from palmar.models.case import Case
 from palmar.models.hand import Fingers, Hand
@@ -138,12 +139,12 @@ def _holds(hand: Hand, alpha: float) -> tuple[Stance | None, Stance | None]:
 
 
 def largest_stance(hand: Hand, alpha: float) -> Stance | None:
-    """How the hand holds its largest disk at the friction angle alpha (rad), within its joint limits; None if it has none."""
+    """How the hand holds its largest disk at the friction angle alpha (rad), within its joint limits; None if none."""
     if hand.joint_limits is not None:
         return limited_radii(limited_hand(hand, alpha)).largest
     chain = Chain(hand.half_palm, hand.finger_links, alpha, hand.half_thickness)
     hold = largest_hold(chain)
-    return hold and stance_of(hold, chain)
+    return None if hold is None else stance_of(hold, chain)
 
 
 def held_stances(case: Case, answer: JointedClosure, *, frictional: bool) -> tuple[Stance | None, Stance | None]:

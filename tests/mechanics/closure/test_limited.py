@@ -6,8 +6,9 @@ from math import pi, radians, sin
 import numpy as np
 import pytest
 
+from palmar.mechanics.closure.closing_links import LimitedHand
 from palmar.mechanics.closure.four_jointed_friction import largest_with_friction
-from palmar.mechanics.closure.limited import LimitedHand, limited_radii, stance_at
+from palmar.mechanics.closure.limited import limited_radii, stance_at
 
 WIDE = ((0.0, pi), (-pi, pi))
 OCTAGON = LimitedHand(0.25, (0.5, 0.25), WIDE)
@@ -26,7 +27,7 @@ def touched_on_palm(points: np.ndarray, h: float) -> np.ndarray:
 
 
 def lifted(points: np.ndarray, h: float, heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Radius (N, M) of the disk at (0, height) that each finger touches, and the elevation of its contact; heights (N, M)."""
+    """Radius (N, M) of the disk at (0, height) that each finger touches, and its contact's elevation; heights (N, M)."""
     c = np.stack([np.zeros_like(heights), heights], axis=-1)[:, :, None, :]
     start, step = points[:, None, :-1, :], np.diff(points, axis=1)[:, None, :, :]
     along = ((c - start) * step).sum(-1) / (step**2).sum(-1)
@@ -66,7 +67,10 @@ def hand_of(seed: int) -> LimitedHand:
     chance = np.random.default_rng(seed)
     w, p, q = chance.dirichlet((3.0, 3.0, 3.0))
     low = chance.uniform(0.0, radians(75.0))
-    limits = ((low, chance.uniform(radians(95.0), radians(170.0))), (-chance.uniform(0.0, 0.5), chance.uniform(0.3, 2.0)))
+    limits = (
+        (low, chance.uniform(radians(95.0), radians(170.0))),
+        (-chance.uniform(0.0, 0.5), chance.uniform(0.3, 2.0)),
+    )
     friction = float(chance.choice([0.0, 0.3, 0.5]))
     return LimitedHand(w, (p, q), limits, friction, chance.uniform(0.0, 0.06), bool(chance.integers(2)))
 
@@ -116,7 +120,10 @@ def test_the_stance_keeps_its_limits_and_touches_the_disk():
 def test_a_hand_twice_as_large_holds_disks_twice_as_large():
     hand = hand_of(1)
     twice = dataclasses.replace(
-        hand, half_palm=2 * hand.half_palm, links=tuple(2 * each for each in hand.links), half_thickness=2 * hand.half_thickness
+        hand,
+        half_palm=2 * hand.half_palm,
+        links=tuple(2 * each for each in hand.links),
+        half_thickness=2 * hand.half_thickness,
     )
     one, two = (np.array(limited_radii(each).intervals) for each in (hand, twice))
     assert two == pytest.approx(2.0 * one, rel=1e-6)

@@ -14,7 +14,16 @@ from palmar.faces.plots.bent_picture import bent_picture
 from palmar.faces.plots.closure_picture import closure_picture
 from palmar.faces.plots.region_picture import region_pictures
 from palmar.faces.plots.style import encoded
-from palmar.faces.words import Row, carried_rows, change_line, closure_rows, headline, jointed_rows, region_rows, slope_row
+from palmar.faces.words import (
+    Row,
+    carried_rows,
+    change_line,
+    closure_rows,
+    headline,
+    jointed_rows,
+    region_rows,
+    slope_row,
+)
 from palmar.models.case_file import dump_case
 from palmar.regions.region import Region
 from palmar.studies.report import Report

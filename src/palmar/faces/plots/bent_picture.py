@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees
+from math import degrees, pi, radians
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -21,11 +21,12 @@ from palmar.studies.jointed_closure import JointedClosure, held_stances
 ROOM = Room(inside=Pad(4.0, 20.0, 4.0, 16.0), highest=250.0, narrowest=48.0)
 WORDS = 9.5
 """Height (mm) of a panel's first line of words above its lower edge."""
+RADIUS_DIRECTION = radians(125.0)
 NAMES = ("your disk", "largest")
 
 
 def bent_picture(case: Case, answer: JointedClosure) -> Figure:
-    """Rows: without friction, and with it if the case has any; columns: the case's disk, and the largest, both bent around."""
+    """Rows: without friction, and with it if the case has any; columns: bent around the case's disk, around the largest."""
     alpha = case.contact.friction_angle
     headings = ["Without friction", f"With friction {case.contact.friction:.3g}"][: 2 if alpha else 1]
     rows = [held_stances(case, answer, frictional=bool(row)) for row in range(len(headings))]
@@ -49,15 +50,12 @@ def draw_stance(axes: Axes, hand: Hand, stance: Stance | None, role: Role) -> No
     """The hand around its disk, or fingers upright as a ghost where there is none."""
     if stance is None:
         low, high = hand.base_limits
-        draw_hand(axes, hand, min(max(UPRIGHT, low), high), ghost=True)
+        draw_hand(axes, hand, min(max(0.5 * pi, low), high), ghost=True)
         return
     at = (0.0, stance.height)
     draw_object(axes, Disk(radius=stance.radius), at, role=role)
     radius_dimension(axes, at, stance.radius, RADIUS_DIRECTION, role=role)
     draw_hand(axes, hand, stance.angles[0], distal=stance.angles[1:])
-
-
-UPRIGHT, RADIUS_DIRECTION = 1.5707963, 2.1816616
 
 
 def stance_extent(hand: Hand, stance: Stance | None) -> Extent:

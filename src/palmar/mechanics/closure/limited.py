@@ -22,6 +22,7 @@ from math import pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.closure.closing_links import ClosingLinks, LimitedHand
 from palmar.mechanics.closure.stance import Stance
 
 Floats = NDArray[np.float64]
@@ -39,29 +40,12 @@ STRIDES = np.array([-2.0, -0.5, 0.5, 1.0, 2.0, 4.0, 8.0])
 HELD, LIMIT = 1e-7, -1e-6
 """Margins (rad, or share of the hand) from which a disk counts as held, and down to which the stance at a limit is shown.
 
-A margin of no more than the root of the rounding error is no hold: without friction, two tips that meet at the equator have none.
+A margin below the root of the rounding error is no hold: without friction, tips that meet at the equator have none.
 """
 NEARLY = 0.2
 """A peak of the margin down to minus this is looked at more closely."""
 PROMINENT = 5e-3
 """By how much a peak rises above the lower of its neighbours at least; less may be the coarse search."""
-
-
-@dataclass(frozen=True)
-class LimitedHand:
-    """Half palm and links (m), (lowest, highest) angle of each joint (rad), friction angle, half thickness (m)."""
-
-    half_palm: float
-    links: tuple[float, ...]
-    limits: tuple[tuple[float, float], ...]
-    friction_angle: float = 0.0
-    half_thickness: float = 0.0
-    crossing: bool = True
-
-    @property
-    def size(self) -> float:
-        """Half palm and finger (m)."""
-        return self.half_palm + sum(self.links)
 
 
 @dataclass(frozen=True)
@@ -84,7 +68,7 @@ def limited_radii(hand: LimitedHand) -> LimitedRadii:
     radii, margins = _closer(hand, radii, margins)
     held = margins >= HELD
     changes = np.flatnonzero(held[1:] != held[:-1])
-    ends = [_end(hand, radii[at : at + 2], bool(held[at])) for at in changes]
+    ends = [_end(hand, (float(radii[at]), float(radii[at + 1])), bool(held[at])) for at in changes]
     if held[0]:
         ends = [0.0, *ends]
     if not ends:
@@ -100,18 +84,25 @@ def stance_at(hand: LimitedHand, radius: float) -> Stance | None:
         return None
     way = best.way
     return Stance(
-        radius, float(best.height[0]), tuple(best.angles[:, 0].tolist()), way.last, float(best.elevation[0]), way.carrier
+        radius,
+        float(best.height[0]),
+        tuple(best.angles[:, 0].tolist()),
+        way.last,
+        float(best.elevation[0]),
+        way.carrier,
     )
 
 
 def _greatest(ways: Iterable[_Way], radii: Floats, levels: tuple[int, ...]) -> Floats:
-    return np.maximum.reduce([_searched(way, radii, levels).margin for way in ways])
+    return np.asarray(np.maximum.reduce([_searched(way, radii, levels).margin for way in ways]))
 
 
 def _closer(hand: LimitedHand, radii: Floats, margins: Floats) -> tuple[Floats, Floats]:
     """The scan with more radii around its peaks that only just fail, and about every end of an interval."""
     walled = np.pad(margins, 1, constant_values=-np.inf)
-    peak = (margins >= walled[:-2]) & (margins >= walled[2:]) & (margins > np.minimum(walled[:-2], walled[2:]) + PROMINENT)
+    peak = (
+        (margins >= walled[:-2]) & (margins >= walled[2:]) & (margins > np.minimum(walled[:-2], walled[2:]) + PROMINENT)
+    )
     held = margins >= HELD
     near = peak & ~held & (margins > -NEARLY)
     edge = np.zeros_like(near)
@@ -119,7 +110,7 @@ def _closer(hand: LimitedHand, radii: Floats, margins: Floats) -> tuple[Floats, 
     edge[1:] |= held[1:] != held[:-1]
     more = [
         np.geomspace(radii[max(at - 1, 0)], radii[min(at + 1, radii.size - 1)], CLOSER_RADII)
-        for at in np.flatnonzero(near | edge)
+        for at in map(int, np.flatnonzero(near | edge))
     ]
     if not more:
         return radii, margins
@@ -129,10 +120,10 @@ def _closer(hand: LimitedHand, radii: Floats, margins: Floats) -> tuple[Floats, 
     return np.concatenate([radii, finer])[order], np.concatenate([margins, values])[order]
 
 
-def _end(hand: LimitedHand, between: Floats, held_below: bool) -> float:
+def _end(hand: LimitedHand, between: tuple[float, float], held_below: bool) -> float:
     """Where holding ends or begins between two radii: the side that is held."""
     low, high = between
-    ways = [way for way in _ways(hand) if _searched(way, between, LEVELS).margin.max() > -NEARLY]
+    ways = [way for way in _ways(hand) if _searched(way, np.array(between), LEVELS).margin.max() > -NEARLY]
     for _ in range(ROUNDS):
         radii = np.linspace(low, high, FINER_RADII)
         held = _greatest(ways, radii, LEVELS) >= HELD
@@ -167,15 +158,14 @@ def _searched(way: _Way, radii: Floats, levels: tuple[int, ...]) -> _Found:
     middle, moved, half = np.full((radii.size, count), 0.5), np.zeros((radii.size, count)), 0.5
     best: _Found | None = None
     for level in range(levels[count]):
-        grid = _grid(count, level)
-        ahead = moved[:, None, :] * STRIDES[:, None] if level and count > 1 else moved[:, :0].reshape(radii.size, 0, count)
-        places = np.clip(middle[:, None, :] + np.concatenate([np.broadcast_to(half * grid, (radii.size, *grid.shape)), ahead], axis=1), 0.0, 1.0)
+        offsets = np.broadcast_to(half * _grid(count, level), (radii.size, *_grid(count, level).shape))
+        if level and count > 1:
+            offsets = np.concatenate([offsets, moved[:, None, :] * STRIDES[:, None]], axis=1)
+        places = np.clip(middle[:, None, :] + offsets, 0.0, 1.0)
         tried = way.stances(radii[:, None], places)
         pick = tried.margin.argmax(axis=1)
-        chosen = _Found(
-            way, *(each[rows, pick] for each in (tried.margin, tried.height)),
-            tried.angles[:, rows, pick], tried.elevation[rows, pick],
-        )  # fmt: skip
+        margin, height, elevation = (each[rows, pick] for each in (tried.margin, tried.height, tried.elevation))
+        chosen = _Found(way, margin, height, tried.angles[:, rows, pick], elevation)
         better = np.ones(radii.size, bool) if best is None else chosen.margin > best.margin
         step = np.where(better[:, None], places[rows, pick] - middle, 0.0)
         moved = np.where(better[:, None], 0.5 * moved * (level > 1) + step * (level > 0), moved)
@@ -188,7 +178,7 @@ def _searched(way: _Way, radii: Floats, levels: tuple[int, ...]) -> _Found:
 
 @cache
 def _grid(count: int, level: int) -> Floats:
-    """Places (N, ``count``) about 0: at first an even grid, then one that is turned and stretched in another way each time."""
+    """Places (N, ``count``) about 0: at first an even grid, then one turned and stretched in another way each time."""
     steps = np.linspace(-1.0, 1.0, NODES[count] if level else FIRST_NODES[count])
     grid = np.array(list(product(steps, repeat=count))).reshape(steps.size**count, count)
     if level == 0 or count < 2:
@@ -227,76 +217,17 @@ class _Way:
         free = iter(np.moveaxis(shares, -1, 0))
         radius = np.broadcast_to(radius, shares.shape[:2])
         height = radius + (next(free) * hand.size if self.carrier != 0 else 0.0)
-        turtle = _Links(hand, radius + hand.half_thickness, height)
+        finger = ClosingLinks(hand, radius + hand.half_thickness, height)
         margin = np.full(radius.shape, np.inf)
         elevation = margin
         for k in range(1, len(hand.links) + 1):
             if k == self.last:
-                elevation = turtle.touch()
+                elevation = finger.touch()
                 margin = np.minimum(margin, np.minimum(elevation, pi - elevation) + alpha)
                 margin = np.minimum(margin, alpha - elevation) if self.carrier is None else margin
             elif k == self.carrier:
-                margin = np.minimum(margin, alpha - turtle.touch())
+                margin = np.minimum(margin, alpha - finger.touch())
             else:
-                turtle.stay_clear(next(free) if k < self.last else None)
-            margin = np.minimum(margin, turtle.margin)
-        return _Found(self, margin, height, np.array(turtle.angles), elevation)
-
-
-class _Links:
-    """Places one link after the other; ``margin`` is what the last one left to its limits, negative if it broke one."""
-
-    def __init__(self, hand: LimitedHand, rho: Floats, height: Floats) -> None:
-        self._hand, self._rho, self._height = hand, rho, height
-        self._x, self._y = np.full(rho.shape, hand.half_palm), np.zeros(rho.shape)
-        self._direction = np.zeros(rho.shape)
-        self.angles: list[Floats] = []
-        self.margin = np.full(rho.shape, np.inf)
-
-    def touch(self) -> Floats:
-        """The next link closes on the disk; returns the elevation of its contact (rad)."""
-        low, high, met, reach, tangent = self._next()
-        self._place(met, np.minimum.reduce([met - low, high - met, reach]))
-        x, y = self._x, self._y - self._height
-        return np.where(tangent, met - 0.5 * pi, np.arctan2(y, x))
-
-    def stay_clear(self, share: Floats | None) -> None:
-        """The next link closes by this share of the way to disk or limit; None: as nearly straight on as it can."""
-        low, high, met, reach, _ = self._next()
-        far = np.maximum(np.where(reach < 0.0, high, np.minimum(high, met)), low)
-        place = np.clip(self._direction, low, far) if share is None else low + share * (far - low)
-        left = np.where(reach < 0.0, high - low, np.minimum(high, met) - low)
-        self._place(place, left)
-
-    def _next(self) -> tuple[Floats, Floats, Floats, Floats, NDArray[np.bool_]]:
-        """Lowest and highest direction (rad), that which meets the disk, reach left (share), whether met tangentially."""
-        hand, k = self._hand, len(self.angles)
-        length, (low, high) = hand.links[k], hand.limits[k]
-        dip = np.arcsin(np.clip(self._y / length, 0.0, 1.0))
-        free = self._y >= length
-        lowest = np.where(free, -np.inf, -dip)
-        highest = np.where(free, np.inf, pi + dip)
-        far = np.hypot(self._x, self._height - self._y)
-        towards = np.mod(np.arctan2(self._height - self._y, -self._x), 2.0 * pi)
-        tau = np.sqrt(np.maximum(far**2 - self._rho**2, 0.0))
-        sides = (self._rho - length + far) * (self._rho + length - far), (far + length - self._rho) * (
-            far + length + self._rho
-        )
-        tip = 2.0 * np.arctan2(np.sqrt(np.maximum(sides[0], 0.0)), np.sqrt(np.maximum(sides[1], 0.0)))
-        tangent = tau <= length
-        aside = np.where(tangent, np.arctan2(self._rho, tau), tip)
-        reach = np.minimum(length + self._rho - far, np.inf) / hand.size
-        self._inside = np.where(far < self._rho * (1.0 - 1e-12), (far - self._rho) / hand.size, np.inf)
-        return (
-            np.maximum(self._direction + low, lowest), np.minimum(self._direction + high, highest),
-            towards - aside, reach, tangent,
-        )  # fmt: skip
-
-    def _place(self, direction: Floats, left: Floats) -> None:
-        length = self._hand.links[len(self.angles)]
-        self.angles.append(direction - self._direction)
-        self._direction = direction
-        self._x, self._y = self._x + length * np.cos(direction), self._y + length * np.sin(direction)
-        self.margin = np.minimum(left, self._inside)
-        if not self._hand.crossing:
-            self.margin = np.minimum(self.margin, (self._x - self._hand.half_thickness) / self._hand.size)
+                finger.stay_clear(next(free) if k < self.last else None)
+            margin = np.minimum(margin, finger.margin)
+        return _Found(self, margin, height, np.array(finger.angles), elevation)
