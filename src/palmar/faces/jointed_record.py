@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from typing import Any
 
-from palmar.mechanics.closure.chain import Hold
+from palmar.mechanics.closure.stance import Stance
+from palmar.models.hand import Hand
 from palmar.studies.closure import RadiusRange
 from palmar.studies.closure_map import ClosureMap
 from palmar.studies.jointed_closure import Intervals, JointedClosure, carriers
 
 
-def jointed_record(result: JointedClosure) -> dict[str, Any]:
+def jointed_record(hand: Hand, result: JointedClosure) -> dict[str, Any]:
     """`palmar closure CASE --json` for fingers with joints."""
     verdict = result.object
     return {
-        "structural": _range(result.structural),
-        "frictional": _range(result.frictional),
+        "structural": _held(result.structural, result.intervals[0]),
+        "frictional": _held(result.frictional, result.intervals[1]),
         "object": {"structural": verdict.structural, "frictional": verdict.frictional, "reason": verdict.reason},
         "cases": {name: _case(known) for name, known in result.cases.items()},
-        "largest": _hold(result.largest),
+        "largest": _hold(hand, result.largest[1]),
         "kept_straight": {"structural": _range(result.straight[0]), "frictional": _range(result.straight[1])},
         "changes": [],
         "slopes": [],
@@ -47,12 +48,18 @@ def _case(known: Intervals) -> dict[str, Any] | None:
     return ends if len(known) == 1 else {**ends, "intervals_m": [list(each) for each in known]}
 
 
-def _hold(hold: Hold | None) -> dict[str, Any] | None:
+def _held(radii: RadiusRange | None, intervals: Intervals) -> dict[str, Any] | None:
+    known = _range(radii)
+    return {**known, "intervals_m": [list(each) for each in intervals]} if known and intervals else known
+
+
+def _hold(hand: Hand, hold: Stance | None) -> dict[str, Any] | None:
     if hold is None:
         return None
     return {
         "radius_m": hold.radius,
         "centre_m": [0.0, hold.height],
-        "right_joints_m": hold.joints.tolist(),
+        "right_joints_m": hold.joints(hand.half_palm, hand.finger_links)[: hold.last].tolist(),
+        "right_angles_rad": list(hold.angles),
         "contacts": carriers(hold),
     }

@@ -10,6 +10,7 @@ from palmar.models.closure import Closure
 from palmar.models.objects import Disk
 from palmar.regions.region import Region
 from palmar.studies.closure import Change, ClosureAnswer, RadiusRange, Slope
+from palmar.studies.jointed_closure import IN_WORDS, Intervals, JointedClosure
 from palmar.studies.sizing import Sizing, interval_words
 
 Row = tuple[str, ...]
@@ -41,6 +42,27 @@ def closure_rows(case: Case, result: ClosureAnswer) -> list[Row]:
         ("radii held without friction", _radii(result.structural), held[result.object.structural]),
         (f"radii held with friction {_friction(case)}", _radii(result.frictional), held[result.object.frictional]),
     ]
+
+
+def jointed_rows(case: Case, result: JointedClosure) -> list[Row]:
+    """(closure, radii held, verdict on the object) of fingers that bend, and of the same ones kept straight."""
+    held = {True: "this object: held", False: "this object: not held"}
+    friction, verdict = f"with friction {_friction(case)}", result.object
+    plain, rough = (
+        " and ".join(map(_span, several)) if several else _radii(radii)
+        for radii, several in zip((result.structural, result.frictional), result.intervals, strict=True)
+    )
+    return [
+        ("radii held without friction", plain, held[verdict.structural]),
+        (f"radii held {friction}", rough, held[verdict.frictional]),
+        ("fingers kept straight, without friction", _radii(result.straight[0]), ""),
+        (f"fingers kept straight, {friction}", _radii(result.straight[1]), ""),
+    ]
+
+
+def carried_rows(known: dict[str, Intervals]) -> list[Row]:
+    """(links that hold, radii) without friction."""
+    return [(IN_WORDS[name], " and ".join(map(_span, each)) or "none") for name, each in known.items()]
 
 
 def change_line(change: Change) -> str:
@@ -108,7 +130,11 @@ def _friction(case: Case) -> str:
 
 
 def _radii(radii: RadiusRange | None) -> str:
-    return "none" if radii is None else f"{1e3 * radii.radius_min:.1f} to {1e3 * radii.radius_max:.1f} mm"
+    return "none" if radii is None else _span((radii.radius_min, radii.radius_max))
+
+
+def _span(ends: tuple[float, float]) -> str:
+    return f"{1e3 * ends[0]:.1f} to {1e3 * ends[1]:.1f} mm"
 
 
 def _signed(value: float) -> str:

@@ -30,7 +30,7 @@ def closure(case: CaseName, *, json: AsJson = False, check: Check = False) -> No
     name, given = open_case(case)
     if bends(given):
         bent = jointed_closure(given)
-        show(titled(name, given, jointed_text(given, bent)), jointed_record(bent), json)
+        show(titled(name, given, jointed_text(given, bent)), jointed_record(given.hand, bent), json)
         answer(bent.object.structural or bent.object.frictional, check)
         return
     result = closure_answer(given)

@@ -5,27 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from palmar.faces.cli.texts import notes, table
+from palmar.faces.words import carried_rows, jointed_rows
 from palmar.models.case import Case
-from palmar.studies.closure import RadiusRange
 from palmar.studies.closure_map import ClosureMap
-from palmar.studies.jointed_closure import IN_WORDS, JointedClosure
+from palmar.studies.jointed_closure import JointedClosure
 
 
 def jointed_text(case: Case, result: JointedClosure) -> str:
     """The answer of `palmar closure CASE` for fingers with joints."""
-    held = {True: "this object: held", False: "this object: not held"}
-    friction = f"with friction {case.contact.friction:.3g}"
-    rows = [
-        ("radii held without friction", _radii(result.structural), held[result.object.structural]),
-        (f"radii held {friction}", _radii(result.frictional), held[result.object.frictional]),
-        ("fingers kept straight, without friction", _radii(result.straight[0]), ""),
-        (f"fingers kept straight, {friction}", _radii(result.straight[1]), ""),
-    ]
-    lines = [table(rows), "", f"This object: {result.object.reason}."]
+    lines = [table(jointed_rows(case, result)), "", f"This object: {result.object.reason}."]
     if result.cases:
-        heads = ("Held without friction by", "radii")
-        known = [(IN_WORDS[name], " and ".join(map(_span, each)) or "none") for name, each in result.cases.items()]
-        lines += ["", table([heads, *known])]
+        lines += ["", table([("Held without friction by", "radii"), *carried_rows(result.cases)])]
     return "\n".join(each.rstrip() for each in "\n".join(lines + notes(result.notes)).split("\n"))
 
 
@@ -53,11 +43,3 @@ def _title(name: str) -> str:
 
 def _number(value: float) -> str:
     return "-" if np.isnan(value) else f"{value:.7g}"
-
-
-def _span(ends: tuple[float, float]) -> str:
-    return f"{1e3 * ends[0]:.1f} to {1e3 * ends[1]:.1f} mm"
-
-
-def _radii(radii: RadiusRange | None) -> str:
-    return "none" if radii is None else _span((radii.radius_min, radii.radius_max))

@@ -7,8 +7,10 @@ from typing import Annotated
 
 from cyclopts import App, Parameter
 
+from palmar.faces.cli.jointed_texts import jointed_text
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, progress, show
 from palmar.faces.cli.texts import closure_text, region_text, titled
+from palmar.faces.jointed_record import jointed_record
 from palmar.faces.records import closure_record, region_record
 from palmar.models.shipped import open_case
 from palmar.studies.report import Report, report_facts
@@ -35,7 +37,7 @@ def report(
     path = make_folder(out) / f"{name}.html"
     write_whole(path, lambda partial: _write(partial, page))
     show(_text(facts, path), _record(facts, path), json)
-    answer(facts.closure.object.structural or facts.closure.object.frictional, check)
+    answer(facts.verdict.structural or facts.verdict.frictional, check)
 
 
 def _write(path: Path, page: str) -> None:
@@ -44,13 +46,18 @@ def _write(path: Path, page: str) -> None:
 
 def _text(facts: Report, path: Path) -> str:
     regions = [region_text(each) for each in facts.regions] or [f"No region: {facts.uncovered}."]
-    return titled(facts.name, facts.case, closure_text(facts.case, facts.closure), *regions, f"Page: {path}")
+    closure = closure_text(facts.case, facts.closure)
+    if facts.jointed is not None:
+        closure = jointed_text(facts.case, facts.jointed)
+    return titled(facts.name, facts.case, closure, *regions, f"Page: {path}")
 
 
 def _record(facts: Report, path: Path) -> dict[str, object]:
+    straight, bent = closure_record(facts.closure), facts.jointed
     return {
         "page": str(path),
-        "closure": closure_record(facts.closure),
+        "closure": straight if bent is None else jointed_record(facts.case.hand, bent),
+        **({} if bent is None else {"closure_kept_straight": straight}),
         "regions": [region_record(each) for each in facts.regions],
         "uncovered": facts.uncovered,
     }

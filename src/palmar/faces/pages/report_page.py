@@ -10,10 +10,20 @@ from importlib.metadata import version
 
 from matplotlib.figure import Figure
 
+from palmar.faces.plots.bent_picture import bent_picture
 from palmar.faces.plots.closure_picture import closure_picture
 from palmar.faces.plots.region_picture import region_pictures
 from palmar.faces.plots.style import encoded
-from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, slope_row
+from palmar.faces.words import (
+    Row,
+    carried_rows,
+    change_line,
+    closure_rows,
+    headline,
+    jointed_rows,
+    region_rows,
+    slope_row,
+)
 from palmar.models.case_file import dump_case
 from palmar.regions.region import Region
 from palmar.studies.report import Report
@@ -36,9 +46,23 @@ def report_page(report: Report) -> str:
 
 
 def _closure(report: Report) -> list[str]:
+    parts = ["<h2>Can the hand hold it?</h2>", f'<p class="answer">{escape(_sentence(report.verdict.reason))}</p>']
+    if report.jointed is None:
+        return parts + _straight(report)
+    bent = report.jointed
+    parts += [_table(("", "radii", "verdict"), jointed_rows(report.case, bent))]
+    parts += [_picture(bent_picture(report.case, bent), "Hand with its fingers bent around the largest disk it holds")]
+    if bent.cases:
+        parts += [_table(("held without friction by", "radii"), carried_rows(bent.cases))]
+    said = report.closure.object.reason
+    parts += [*_notes(bent.notes), "<h3>With the fingers kept straight</h3>", f"<p>{escape(_sentence(said))}</p>"]
+    return parts + _straight(report)
+
+
+def _straight(report: Report) -> list[str]:
+    """What straight fingers hold: all there is to say of fingers of one link."""
     result = report.closure
-    parts = ["<h2>Can the hand hold it?</h2>", f'<p class="answer">{escape(_sentence(result.object.reason))}</p>']
-    parts += [_table(("", "radii", "verdict"), closure_rows(report.case, result))]
+    parts = [_table(("", "radii", "verdict"), closure_rows(report.case, result))]
     parts += [_picture(closure_picture(report.case, result), "Hand with the smallest and the largest disk it holds")]
     if result.changes:
         parts += ["<h3>What would have to change</h3>", _list(change_line(each) for each in result.changes)]

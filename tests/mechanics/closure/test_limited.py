@@ -1,0 +1,129 @@
+"""Disks held within joint limits, against closed forms where limits are wide and against a scan of postures."""
+
+import dataclasses
+from math import pi, radians, sin
+
+import numpy as np
+import pytest
+
+from palmar.mechanics.closure.closing_links import LimitedHand
+from palmar.mechanics.closure.four_jointed_friction import largest_with_friction
+from palmar.mechanics.closure.limited import limited_radii, stance_at
+
+WIDE = ((0.0, pi), (-pi, pi))
+OCTAGON = LimitedHand(0.25, (0.5, 0.25), WIDE)
+
+
+def touched_on_palm(points: np.ndarray, h: float) -> np.ndarray:
+    """Radius (N,) of the disk on the palm that a finger through ``points`` (N, n + 1, 2) touches.
+
+    |p - (0, R)| = R + h gives R = (x^2 + y^2 - h^2) / (2 (y + h)) for a point; least over points spaced along the finger.
+    """
+    shares = np.linspace(0.0, 1.0, 81)[:, None]
+    start, step = points[:, :-1, None, :], np.diff(points, axis=1)[:, :, None, :]
+    x, y = np.moveaxis((start + shares * step).reshape(len(points), -1, 2), -1, 0)
+    y = np.maximum(y, 0.0)
+    return ((x**2 + y**2 - h**2) / (2.0 * np.maximum(y + h, 1e-12))).min(axis=1)
+
+
+def lifted(points: np.ndarray, h: float, heights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Radius (N, M) of the disk at (0, height) that each finger touches, and its contact's elevation; heights (N, M)."""
+    c = np.stack([np.zeros_like(heights), heights], axis=-1)[:, :, None, :]
+    start, step = points[:, None, :-1, :], np.diff(points, axis=1)[:, None, :, :]
+    along = ((c - start) * step).sum(-1) / (step**2).sum(-1)
+    off = start + np.clip(along, 0.0, 1.0)[..., None] * step - c
+    far = np.hypot(off[..., 0], off[..., 1])
+    at = far.argmin(-1)[..., None]
+    x, y = (np.take_along_axis(off[..., i], at, -1)[..., 0] for i in (0, 1))
+    return far.min(-1) - h, np.arctan2(y, x)
+
+
+def scanned(hand: LimitedHand, nodes: int = 61) -> tuple[float, float]:
+    """Smallest and largest radius met by a scan over both joint angles, on the palm and off it."""
+    base, bend = np.meshgrid(*(np.linspace(*limit, nodes) for limit in hand.limits), indexing="ij")
+    turned = np.stack([base, base + bend], axis=-1)
+    steps = np.stack([np.cos(turned), np.sin(turned)], axis=-1) * np.array(hand.links)[:, None]
+    first = np.broadcast_to([hand.half_palm, 0.0], (nodes, nodes, 1, 2))
+    points = np.concatenate([first, first + steps.cumsum(axis=-2)], axis=-2)
+    able = (points[..., 1] >= -1e-12).all(-1)
+    if not hand.crossing:
+        able &= (points[..., 0] >= hand.half_thickness).all(-1)
+    points, alpha = points[able], hand.friction_angle
+    radius = touched_on_palm(points, hand.half_thickness)
+    elevation = lifted(points, hand.half_thickness, radius[:, None])[1][:, 0]
+    found = [radius[(elevation >= -alpha) & (elevation <= pi) & (radius > 0.0)]]
+    heights = np.broadcast_to(np.linspace(0.0, hand.size, 81), (len(points), 81))
+    radius, elevation = lifted(points, hand.half_thickness, heights)
+    off = radius <= heights
+    if alpha:
+        found.append(radius[off & (np.abs(elevation) <= alpha) & (radius > 0.0)])
+    peak = (elevation[:, :-2] <= 0.0) & (elevation[:, 2:] >= 0.0) & off[:, 1:-1] & (radius[:, 1:-1] > 0.0)
+    found.append(radius[:, 1:-1][peak])
+    every = np.concatenate(found)
+    return float(every.min(initial=np.inf)), float(every.max(initial=0.0))
+
+
+def hand_of(seed: int) -> LimitedHand:
+    chance = np.random.default_rng(seed)
+    w, p, q = chance.dirichlet((3.0, 3.0, 3.0))
+    low = chance.uniform(0.0, radians(75.0))
+    limits = (
+        (low, chance.uniform(radians(95.0), radians(170.0))),
+        (-chance.uniform(0.0, 0.5), chance.uniform(0.3, 2.0)),
+    )
+    friction = float(chance.choice([0.0, 0.3, 0.5]))
+    return LimitedHand(w, (p, q), limits, friction, chance.uniform(0.0, 0.06), bool(chance.integers(2)))
+
+
+def test_the_octagon_is_held_with_wide_limits_and_needs_45_degrees_of_each_joint():
+    assert limited_radii(OCTAGON).intervals[-1][1] == pytest.approx((1.0 + 2.0**0.5) / 4.0, rel=1e-5)
+    enough = dataclasses.replace(OCTAGON, limits=((radians(44.9), pi), (0.0, radians(45.1))))
+    assert limited_radii(enough).intervals[-1][1] == pytest.approx((1.0 + 2.0**0.5) / 4.0, rel=1e-5)
+    # with less of a bend the base joint stands steeper, and the distal link upright on it
+    less = dataclasses.replace(OCTAGON, limits=((radians(60.0), pi), (0.0, radians(45.0))))
+    assert limited_radii(less).intervals[-1][1] == pytest.approx(0.25 + 0.5 * sin(radians(30.0)), rel=1e-5)
+
+
+@pytest.mark.parametrize(("w", "p", "q", "alpha"), [(0.332, 0.249, 0.419, 0.0), (0.363, 0.06, 0.577, 0.61)])
+def test_wide_limits_give_the_closed_form(w: float, p: float, q: float, alpha: float):
+    found = limited_radii(LimitedHand(w, (p, q), WIDE, alpha))
+    assert len(found.intervals) == 1
+    assert found.intervals[0][1] == pytest.approx(float(largest_with_friction(w, p, q, alpha)), rel=4e-4)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_scan_of_postures_finds_the_same_radii(seed: int):
+    hand = hand_of(seed)
+    found = limited_radii(hand).intervals
+    smallest, largest = scanned(hand)
+    if not found:
+        assert largest == 0.0
+        return
+    assert found[0][0] - 1e-3 <= smallest <= found[0][0] + 0.03
+    assert found[-1][1] - 0.05 <= largest <= found[-1][1] + 1e-3
+
+
+def test_the_stance_keeps_its_limits_and_touches_the_disk():
+    hand = LimitedHand(0.3, (0.4, 0.3), ((1.0, 2.0), (0.0, 0.4)), 0.4, 0.04)
+    found = limited_radii(hand)
+    stance = found.largest
+    assert stance is not None
+    for angle, (low, high) in zip(stance.angles, hand.limits, strict=True):
+        assert low - 1e-6 <= angle <= high + 1e-6
+    points = stance.joints(hand.half_palm, hand.links)
+    radius, elevation = lifted(points[None], hand.half_thickness, np.array([[stance.height]]))
+    assert radius[0, 0] == pytest.approx(stance.radius, abs=1e-6)
+    assert elevation[0, 0] == pytest.approx(stance.elevation, abs=1e-5)
+    assert stance_at(hand, 1.01 * stance.radius) is None
+
+
+def test_a_hand_twice_as_large_holds_disks_twice_as_large():
+    hand = hand_of(1)
+    twice = dataclasses.replace(
+        hand,
+        half_palm=2 * hand.half_palm,
+        links=tuple(2 * each for each in hand.links),
+        half_thickness=2 * hand.half_thickness,
+    )
+    one, two = (np.array(limited_radii(each).intervals) for each in (hand, twice))
+    assert two == pytest.approx(2.0 * one, rel=1e-6)
