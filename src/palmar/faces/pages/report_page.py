@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Iterable
 from html import escape
 from importlib import resources
 from importlib.metadata import version
 
-from matplotlib.figure import Figure
-
+from palmar.faces.pages.html import picture, table
 from palmar.faces.plots.closure_picture import closure_picture
 from palmar.faces.plots.region_picture import region_pictures
-from palmar.faces.plots.style import encoded
-from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, slope_row
+from palmar.faces.words import change_line, closure_rows, headline, region_rows, slope_row
 from palmar.models.case_file import dump_case
 from palmar.regions.region import Region
 from palmar.studies.report import Report
@@ -38,13 +35,13 @@ def report_page(report: Report) -> str:
 def _closure(report: Report) -> list[str]:
     result = report.closure
     parts = ["<h2>Can the hand hold it?</h2>", f'<p class="answer">{escape(_sentence(result.object.reason))}</p>']
-    parts += [_table(("", "radii", "verdict"), closure_rows(report.case, result))]
-    parts += [_picture(closure_picture(report.case, result), "Hand with the smallest and the largest disk it holds")]
+    parts += [table(("", "radii", "verdict"), closure_rows(report.case, result))]
+    parts += [picture(closure_picture(report.case, result), "Hand with the smallest and the largest disk it holds")]
     if result.changes:
         parts += ["<h3>What would have to change</h3>", _list(change_line(each) for each in result.changes)]
     if result.slopes:
         parts += ["<h3>How the limits move</h3>"]
-        parts += [_table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
+        parts += [table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
     return parts + _notes(result.notes)
 
 
@@ -56,11 +53,11 @@ def _regions(report: Report) -> list[str]:
     parts += [f"<p>Nothing is caught: {escape(_sentence(each.reason))}</p>" for each in report.regions if each.reason]
     if not caught:
         return parts
-    parts.append(_picture(region_pictures(report.case, caught), "Regions from which the closing motion catches it"))
+    parts.append(picture(region_pictures(report.case, caught), "Regions from which the closing motion catches it"))
     columns = [{row[0]: row[1] for row in region_rows(each)} for each in caught]
     names = dict.fromkeys(name for column in columns for name in column)
     rows = [(name, *(column.get(name, "") for column in columns)) for name in names]
-    parts.append(_table(("", *(each.closure.value for each in caught)), rows))
+    parts.append(table(("", *(each.closure.value for each in caught)), rows))
     return parts + _notes(_distinct(caught))
 
 
@@ -84,14 +81,3 @@ def _notes(texts: tuple[str, ...]) -> list[str]:
 
 def _list(texts: Iterable[str]) -> str:
     return f"<ul>{''.join(f'<li>{escape(each)}</li>' for each in texts)}</ul>"
-
-
-def _table(heads: Row, rows: list[Row]) -> str:
-    top = "".join(f"<th>{escape(each)}</th>" for each in heads)
-    body = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
-    return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
-
-
-def _picture(figure: Figure, description: str) -> str:
-    data = base64.b64encode(encoded(figure)).decode("ascii")
-    return f'<figure><img alt="{escape(description)}" src="data:image/svg+xml;base64,{data}"></figure>'
