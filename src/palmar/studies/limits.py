@@ -75,7 +75,7 @@ class Limit:
 def limits(
     case: Case,
     rules: Rules,
-    region: MultiPolygon,
+    region: MultiPolygon | None = None,
     make: WorldMaker | None = None,
     executor: Executor | None = None,
     past: Sequence[Trial] = (),
@@ -84,7 +84,7 @@ def limits(
     """Search in every direction, one trial of each at a time; ``make``: the world, None the planar kernels.
 
     ``past``: trials of an earlier run under the same rules, not made again; ``keep`` is given each new one.
-    ``region``: the centre region (m) that the limits are compared with.
+    ``region``: the centre region (m) that the limits are compared with, if with any.
     """
     trials: list[list[Trial]] = [[each for each in past if each.ray == k] for k in range(len(rules.angles))]
     while True:
@@ -123,9 +123,9 @@ def next_distance(length: float, rules: Rules, ray: int, made: Sequence[Trial]) 
     return 0.5 * (near + far) if far - near > rules.tolerance and len(made) < MOST_TRIALS else None
 
 
-def reach(region: MultiPolygon, about: tuple[float, float], angle: float) -> float | None:
+def reach(region: MultiPolygon | None, about: tuple[float, float], angle: float) -> float | None:
     """Distance (m) at which a ray leaves a set for the last time, None where it does not meet it."""
-    if region.is_empty:
+    if region is None or region.is_empty:
         return None
     left, low, right, high = region.bounds
     far = 2.0 * (hypot(*about) + hypot(max(-left, right), max(-low, high)))

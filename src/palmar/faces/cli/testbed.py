@@ -12,6 +12,7 @@ from palmar.errors import InputError
 from palmar.faces.cli.behaviour_options import within
 from palmar.faces.cli.pool import counting, processes
 from palmar.faces.cli.printing import AsJson, CaseName, number, show
+from palmar.faces.cli.testbed_report import report
 from palmar.faces.cli.texts import table, titled
 from palmar.faces.cli.trial_log import TrialLog
 from palmar.faces.cli.world_option import Physics, maker_of
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from palmar.studies.limits import Limit, Rules
 
 app = App(name="testbed")
+app.command(report)
 ANGLES = "15,22.5,30,37.5,45,52.5,60,67.5,75,82.5,90"
 MOST_ANGLES = 1000
 

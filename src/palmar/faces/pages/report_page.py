@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Iterable
 from html import escape
 from importlib import resources
 from importlib.metadata import version
 
-from matplotlib.figure import Figure
-
+from palmar.faces.pages.html import picture, table
 from palmar.faces.plots.bent_picture import bent_picture
 from palmar.faces.plots.closure_picture import closure_picture
 from palmar.faces.plots.region_picture import region_pictures
-from palmar.faces.plots.style import encoded
 from palmar.faces.words import (
-    Row,
     carried_rows,
     change_line,
     closure_rows,
@@ -50,10 +46,10 @@ def _closure(report: Report) -> list[str]:
     if report.jointed is None:
         return parts + _straight(report)
     bent = report.jointed
-    parts += [_table(("", "radii", "verdict"), jointed_rows(report.case, bent))]
-    parts += [_picture(bent_picture(report.case, bent), "Hand with its fingers bent around the largest disk it holds")]
+    parts += [table(("", "radii", "verdict"), jointed_rows(report.case, bent))]
+    parts += [picture(bent_picture(report.case, bent), "Hand with its fingers bent around the largest disk it holds")]
     if bent.cases:
-        parts += [_table(("held without friction by", "radii"), carried_rows(bent.cases))]
+        parts += [table(("held without friction by", "radii"), carried_rows(bent.cases))]
     said = report.closure.object.reason
     parts += [*_notes(bent.notes), "<h3>With the fingers kept straight</h3>", f"<p>{escape(_sentence(said))}</p>"]
     return parts + _straight(report)
@@ -62,13 +58,13 @@ def _closure(report: Report) -> list[str]:
 def _straight(report: Report) -> list[str]:
     """What straight fingers hold: all there is to say of fingers of one link."""
     result = report.closure
-    parts = [_table(("", "radii", "verdict"), closure_rows(report.case, result))]
-    parts += [_picture(closure_picture(report.case, result), "Hand with the smallest and the largest disk it holds")]
+    parts = [table(("", "radii", "verdict"), closure_rows(report.case, result))]
+    parts += [picture(closure_picture(report.case, result), "Hand with the smallest and the largest disk it holds")]
     if result.changes:
         parts += ["<h3>What would have to change</h3>", _list(change_line(each) for each in result.changes)]
     if result.slopes:
         parts += ["<h3>How the limits move</h3>"]
-        parts += [_table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
+        parts += [table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
     return parts + _notes(result.notes)
 
 
@@ -80,11 +76,11 @@ def _regions(report: Report) -> list[str]:
     parts += [f"<p>Nothing is caught: {escape(_sentence(each.reason))}</p>" for each in report.regions if each.reason]
     if not caught:
         return parts
-    parts.append(_picture(region_pictures(report.case, caught), "Regions from which the closing motion catches it"))
+    parts.append(picture(region_pictures(report.case, caught), "Regions from which the closing motion catches it"))
     columns = [{row[0]: row[1] for row in region_rows(each)} for each in caught]
     names = dict.fromkeys(name for column in columns for name in column)
     rows = [(name, *(column.get(name, "") for column in columns)) for name in names]
-    parts.append(_table(("", *(each.closure.value for each in caught)), rows))
+    parts.append(table(("", *(each.closure.value for each in caught)), rows))
     return parts + _notes(_distinct(caught))
 
 
@@ -108,14 +104,3 @@ def _notes(texts: tuple[str, ...]) -> list[str]:
 
 def _list(texts: Iterable[str]) -> str:
     return f"<ul>{''.join(f'<li>{escape(each)}</li>' for each in texts)}</ul>"
-
-
-def _table(heads: Row, rows: list[Row]) -> str:
-    top = "".join(f"<th>{escape(each)}</th>" for each in heads)
-    body = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
-    return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
-
-
-def _picture(figure: Figure, description: str) -> str:
-    data = base64.b64encode(encoded(figure)).decode("ascii")
-    return f'<figure><img alt="{escape(description)}" src="data:image/svg+xml;base64,{data}"></figure>'

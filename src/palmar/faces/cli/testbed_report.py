@@ -1,0 +1,46 @@
+"""``palmar testbed report``: the measurements of chapter 6, repeated on one page."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from palmar.faces.cli.pool import processes
+from palmar.faces.cli.printing import AsJson, progress, show
+from palmar.faces.cli.texts import table
+from palmar.models.shipped import open_case
+
+CASE = "testbed_table"
+
+
+def report(
+    *,
+    out: Annotated[Path, Parameter(help="Folder for the page; made if it does not exist.")],
+    json: AsJson = False,
+) -> None:
+    """Limits on the table and in free space and the preshape that circles, against what the source printed; minutes."""
+    from palmar.faces.cli.world_option import maker_of
+    from palmar.faces.exports.whole_file import make_folder, write_whole
+    from palmar.faces.pages.bed_page import bed_page, limits_table
+    from palmar.studies.bed_report import ANGLES, FREE_ANGLES, Worlds, bed_report
+
+    ideal, bed = maker_of("mujoco"), maker_of("bed")
+    assert ideal is not None and bed is not None
+    path = make_folder(out) / "testbed.html"
+    with processes() as pool:
+        found = bed_report(open_case(CASE)[1], Worlds(ideal, bed), pool, progress)
+    page = bed_page(found)
+    write_whole(path, lambda partial: _write(partial, page))
+    parts = []
+    for rows, angles in ((found.table, ANGLES), (found.free, FREE_ANGLES)):
+        heads, cells = limits_table(rows, angles)
+        parts.append(table([heads, *cells]))
+    record = {"page": str(path), "angles_rad": list(ANGLES), "free_angles_rad": list(FREE_ANGLES), **asdict(found)}
+    show("\n\n".join([*parts, f"Page: {path}"]), record, json)
+
+
+def _write(path: Path, page: str) -> None:
+    path.write_text(page, encoding="utf-8")
