@@ -1,5 +1,7 @@
 """`palmar closure` of jointed fingers and `palmar closure map`, as scripts and people see them."""
 
+import math
+
 import pytest
 
 CASES = ["proximal_palm", "distal_palm", "distal_proximal", "distal_proximal_palm", "overall"]
@@ -85,9 +87,19 @@ def test_more_links_and_thick_ones(palmar, tmp_path):
     assert thin == pytest.approx(0.17748005107, abs=1e-8)
 
 
-def test_joint_limits_keep_the_fingers_straight(palmar, tmp_path):
-    limits = "joint_limits_deg = [[0.0, 180.0], [0.0, 90.0]]\n"
-    record = palmar("closure", case_file(tmp_path, [137.0, 107.0], more=limits), "--json").record
+def test_fingers_bend_within_joint_limits(palmar, tmp_path):
+    limits = "joint_limits_deg = [[0.0, 180.0], [0.0, {}]]\n"
+    record = palmar("closure", case_file(tmp_path, [137.0, 107.0], more=limits.format("90.0")), "--json").record
+    assert record["structural"]["radius_max_m"] == pytest.approx(0.17748, rel=1e-4)
+    assert record["kept_straight"]["structural"]["radius_max_m"] == pytest.approx(0.06)
+    assert record["largest"]["right_angles_rad"][1] <= 0.5 * math.pi
+    stiff = palmar("closure", case_file(tmp_path, [137.0, 107.0], more=limits.format("0.01")), "--json").record
+    assert stiff["structural"]["radius_max_m"] == pytest.approx(0.06, rel=1e-2)
+
+
+def test_many_links_with_limits_are_kept_straight(palmar, tmp_path):
+    limits = f"joint_limits_deg = {[[0.0, 180.0]] + [[0.0, 90.0]] * 3}\n"
+    record = palmar("closure", case_file(tmp_path, [87.0, 50.0, 50.0, 57.0], more=limits), "--json").record
     assert record["structural"]["radius_max_m"] == pytest.approx(0.06)
     assert "kept straight" in record["notes"][0]
 

@@ -7,7 +7,7 @@ import pytest
 from palmar.models.case_file import parse_case
 from palmar.models.shipped import shipped_names
 
-OF_EACH_KIND = ("testbed_table", "testbed_free", "adaptive_hand", "disk_on_a_wall", "chapter2_example")
+OF_EACH_KIND = ("testbed_table", "testbed_free", "adaptive_hand", "disk_on_a_wall", "chapter2_example", "kinova_kg_3")
 
 
 @pytest.mark.parametrize("name", OF_EACH_KIND)
@@ -27,7 +27,11 @@ def test_a_case_of_each_kind_gives_one_self_contained_page(palmar, tmp_path, nam
 
 def test_the_report_as_json(palmar, tmp_path):
     record = palmar("report", "testbed_table", "--out", tmp_path, "--json").record
-    assert record["closure"]["structural"]["radius_max_m"] == pytest.approx(0.06)
+    assert record["closure"] == palmar("closure", "testbed_table", "--json").record
+    assert record["closure"]["structural"]["radius_max_m"] == pytest.approx(0.17748, abs=1e-6)
+    assert record["closure_kept_straight"]["structural"]["radius_max_m"] == pytest.approx(0.06)
+    page = (tmp_path / "testbed_table.html").read_text(encoding="utf-8")
+    assert page.index("held without friction by proximal links") < page.index("With the fingers kept straight")
     assert [each["closure"] for each in record["regions"]] == ["structural", "frictional"]
     assert record["page"].endswith("testbed_table.html")
 
