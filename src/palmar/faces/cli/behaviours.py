@@ -11,6 +11,7 @@ from cyclopts import App, Parameter
 
 from palmar.behaviours.descriptions import DESCRIPTIONS
 from palmar.errors import InputError
+from palmar.faces.cli.behaviour_chance import chance
 from palmar.faces.cli.behaviour_options import (
     Layout,
     Massive,
@@ -24,7 +25,6 @@ from palmar.faces.cli.behaviour_options import (
     with_velocity,
     within,
 )
-from palmar.faces.cli.behaviour_chance import chance
 from palmar.faces.cli.behaviour_region import region
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, progress, show
 from palmar.faces.cli.texts import table, titled

@@ -13,9 +13,8 @@ from matplotlib.figure import Figure
 from palmar.faces.plots.closure_picture import closure_picture
 from palmar.faces.plots.region_picture import region_pictures
 from palmar.faces.plots.style import encoded
-from palmar.faces.words import Row, change_line, closure_rows, headline, region_rows, slope_row
+from palmar.faces.words import Row, change_line, closure_rows, headline, region_notes, region_rows, slope_row
 from palmar.models.case_file import dump_case
-from palmar.regions.region import Region
 from palmar.studies.report import Report
 
 
@@ -45,7 +44,7 @@ def _closure(report: Report) -> list[str]:
     if result.slopes:
         parts += ["<h3>How the limits move</h3>"]
         parts += [_table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
-    return parts + _notes(result.notes)
+    return parts + _notes([_sentence(each) for each in result.notes])
 
 
 def _regions(report: Report) -> list[str]:
@@ -61,25 +60,19 @@ def _regions(report: Report) -> list[str]:
     names = dict.fromkeys(name for column in columns for name in column)
     rows = [(name, *(column.get(name, "") for column in columns)) for name in names]
     parts.append(_table(("", *(each.closure.value for each in caught)), rows))
-    return parts + _notes(_distinct(caught))
+    return parts + _notes(region_notes(caught))
 
 
 def _input(report: Report) -> list[str]:
     return ["<h2>The case</h2>", f"<pre>{escape(dump_case(report.case))}</pre>"]
 
 
-def _distinct(regions: list[Region]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(note for region in regions for note in region.notes))
-
-
 def _sentence(text: str) -> str:
     return f"{text[0].upper()}{text[1:]}."
 
 
-def _notes(texts: tuple[str, ...]) -> list[str]:
-    return (
-        [f'<ul class="notes">{"".join(f"<li>{escape(_sentence(each))}</li>" for each in texts)}</ul>'] if texts else []
-    )
+def _notes(sentences: list[str]) -> list[str]:
+    return [f'<ul class="notes">{"".join(f"<li>{escape(each)}</li>" for each in sentences)}</ul>'] if sentences else []
 
 
 def _list(texts: Iterable[str]) -> str:
