@@ -224,3 +224,30 @@ def test_region_of_a_behaviour_refuses_in_one_line(palmar, scoop, words, complai
     assert answer.status == 2
     assert complaint in answer.err
     assert answer.err.count("\n") == 1
+
+
+TRACKED = ("testbed_free", "--behaviour", "matched_return", "--velocity", "0,-90", "--track", "50,4,20", "--seed", "3")
+
+
+def test_chance_is_that_of_runs_with_their_own_errors(palmar):
+    answer = palmar("behaviours", "chance", *TRACKED, "--start", "20,120", "--runs", 6, "--tick", 50, "--json")
+    record = answer.record
+    assert record["runs"] == 6 == sum(each["runs"] for each in record["ends"])
+    assert record["chance"]["low"] <= record["caught"] / 6 <= record["chance"]["high"]
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (("region", *TRACKED, "--draws", "0"), "--draws"),
+        (("region", *TRACKED[:5], "--draws", "2"), "needs a tracker with errors"),
+        (("chance", *TRACKED[:5]), "--track"),
+        (("chance", *TRACKED, "--runs", "0"), "--runs"),
+        (("chance", "testbed_free", "--track", "0,1,1"), "matched_return"),
+    ],
+)
+def test_tracked_behaviours_refuse_in_one_line(palmar, words, complaint):
+    answer = palmar("behaviours", *words)
+    assert answer.status == 2
+    assert complaint in answer.err
+    assert answer.err.count("\n") == 1

@@ -17,6 +17,7 @@ from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
 from palmar.models.outcome import Outcome
 from palmar.models.shipped import open_case
+from palmar.regions import captured as module
 from palmar.regions.build import build_region
 from palmar.regions.region import Model, Region
 from palmar.studies.compare import compare_regions
@@ -94,6 +95,22 @@ def test_starts_inside_are_caught_and_starts_outside_are_not(case: Case) -> None
     for e in es if not case.ranges else np.linspace(0.4, 1.0, 9):
         missed |= ~is_caught(case.settled([e]) if case.ranges else case, outside, float(e))
     assert missed.mean() > 0.99
+
+
+def test_no_start_beside_the_outline_is_caught() -> None:
+    """Corners of the set that chords of the outline cut off are put back."""
+    outer = build_region(CASE, tolerance=COARSE).outer
+    assert outer is not None
+    starts = drawn_starts(outer.buffer(0.02).difference(outer), 20_000, 3)
+    assert not is_caught(CASE, starts, 1.0).any()
+
+
+def test_lost_places_that_no_corner_mends_are_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    place = np.array([[0.02, 0.15]])
+    monkeypatch.setattr(module, "refined", lambda ring, *_: (ring, place))
+    centre = build_region(CASE, tolerance=2.0 * COARSE).centre
+    assert not shapely.contains_xy(centre, [0.02, -0.02], [0.15, 0.15]).any()
+    assert shapely.contains_xy(centre, [0.025, -0.025], [0.15, 0.15]).all()
 
 
 def test_it_does_not_depend_on_the_rate_but_for_moving_disks() -> None:

@@ -6,14 +6,16 @@ from concurrent.futures import Executor, ThreadPoolExecutor
 
 import pytest
 
-from palmar.errors import NotCoveredError
+from palmar.errors import InputError, NotCoveredError
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.case_file import parse_case, with_layout
 from palmar.models.guarantee import Guarantee
 from palmar.regions.build import build_region
+from palmar.studies import behaviour_region as module
 from palmar.studies.behaviour_region import behaviour_region
 from palmar.studies.run_behaviour import Circumstances
+from palmar.worlds.planar.tracker import Tracker
 
 CASE = parse_case(
     "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\nfinger_rate_deg_s = 90\n[object]\nradius_mm = 38\n", "x"
@@ -74,3 +76,27 @@ def test_what_a_behaviour_needs_is_asked_for(pool: Executor) -> None:
     )
     with pytest.raises(NotCoveredError, match="plain numbers"):
         behaviour_region(ranged, pool)
+
+
+FREE = parse_case(
+    "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\nfinger_rate_deg_s = 90\n[object]\nradius_mm = 38\n"
+    "[contact]\nfriction = 0\nrestitution = 0.5\n[support]\nkind = 'free'\n[start]\nvelocity_mm_s = [20, -30]\n"
+    "[behaviour]\nname = 'match_velocity'\nspeed_mm_s = 400\nacceleration_mm_s2 = 3000\nreach_mm = 500\n"
+    "place_mm = [0, 130]\npatience_s = 3\n", "x",
+)  # fmt: skip
+
+
+def test_with_several_draws_of_tracking_errors_it_is_what_all_of_them_leave(
+    pool: Executor, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "COARSE", 14)
+    rough = Circumstances(tick=0.1, tracker=Tracker(0.05, 0.02, 0.005))
+    one, three = (behaviour_region(FREE, pool, 1.0, rough, None, draws) for draws in (1, 3))
+    assert one.outer is not None and three.outer is not None
+    assert 0.0 < three.outer.area < one.outer.area
+    assert one.outer.covers(three.outer)
+    assert "one draw of its errors (seed 0), the same in all runs" in one.notes[1]
+    assert "each of 3 draws of its errors (seeds 0 to 2)" in three.notes[1]
+    assert "at least 0.368" in three.notes[1]  # 0.05 ** (1 / 3)
+    with pytest.raises(InputError, match="needs a tracker with errors"):
+        behaviour_region(FREE, pool, 1.0, Circumstances(tick=0.1, tracker=Tracker(0.05)), None, 2)

@@ -253,3 +253,6 @@ def test_a_disk_in_the_hand_at_first_is_invalid() -> None:
     world = world_of(case_of(), 0.0, 0.01)
     trace = run(world, Closing(Drive(2, 0.5)))
     assert (trace.ended, trace.outcome) == (Ended.BROKEN, Outcome.INVALID)
+    tracked = world_of(case_of(), 0.0, 0.01, 0.0, -0.1, tracker=Tracker(0.1))
+    assert tracked.broken
+    assert tracked.observe().track == pytest.approx((0.0, 0.02, 0.0, -0.1))

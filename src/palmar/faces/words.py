@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from palmar.mechanics.closure.sizing import Dimension
 from palmar.models.case import Case
@@ -33,6 +34,13 @@ def headline(name: str, case: Case) -> str:
     else:
         what = f"a polygon of {len(case.object.vertices)} corners"
     return f"{name}: palm {1e3 * hand.palm_width:.4g} mm, fingers {links} mm{thick}, {hand.fingers.value}; {what}"
+
+
+def region_notes(regions: Sequence[Region]) -> list[str]:
+    """What is to be said of regions of one case, as sentences: of all of them, then of each by its closure."""
+    shared = [note for note in regions[0].notes if all(note in each.notes for each in regions)]
+    own = [f"{_HOW[each.closure]}: {note}" for each in regions for note in each.notes if note not in shared]
+    return [f"{each[0].upper()}{each[1:]}." for each in (*shared, *dict.fromkeys(own))]
 
 
 def closure_rows(case: Case, result: ClosureAnswer) -> list[Row]:

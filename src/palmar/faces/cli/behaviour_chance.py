@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 from os import cpu_count
 from typing import TYPE_CHECKING, Annotated, Any
@@ -29,7 +29,7 @@ from palmar.models.shipped import open_case
 if TYPE_CHECKING:
     from palmar.studies.matched_capture import MatchedCapture
 
-MOST_RUNS = 1_000_000
+MOST_RUNS, FEW = 1_000_000, 40
 
 
 def chance(
@@ -59,8 +59,7 @@ def chance(
     tracker = tracker_of(track, seed)
     if tracker is None:
         raise InputError("--track", "absent", "it says how late the object is tracked, and with which errors")
-    # A fresh interpreter for each process: one forked from threads may wait forever.
-    with ProcessPoolExecutor(cpu_count() or 1, mp_context=get_context("spawn")) as pool:
+    with _pool(runs) as pool:
         found = matched_capture(given, tracker, runs, pool, seconds)
     said = (
         f"{given.behaviour.name.value}: {found.caught} of {found.runs} runs catch; the chance is {found.low:.3f} to"
@@ -69,6 +68,14 @@ def chance(
     rows = [(str(count), why) for why, count in found.ends]
     show(titled(name, given, said, "How the runs ended:", table(rows)), _record(found), json)
     answer(found.caught == found.runs, check)
+
+
+def _pool(runs: int) -> Executor:
+    """Processes for many runs; for few that would take longer."""
+    if runs <= FEW:
+        return ThreadPoolExecutor(1)
+    # A fresh interpreter for each process: one forked from threads may wait forever.
+    return ProcessPoolExecutor(cpu_count() or 1, mp_context=get_context("spawn"))
 
 
 def _record(found: MatchedCapture) -> dict[str, Any]:

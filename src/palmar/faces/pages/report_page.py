@@ -17,11 +17,11 @@ from palmar.faces.words import (
     closure_rows,
     headline,
     jointed_rows,
+    region_notes,
     region_rows,
     slope_row,
 )
 from palmar.models.case_file import dump_case
-from palmar.regions.region import Region
 from palmar.studies.report import Report
 
 
@@ -51,7 +51,11 @@ def _closure(report: Report) -> list[str]:
     if bent.cases:
         parts += [table(("held without friction by", "radii"), carried_rows(bent.cases))]
     said = report.closure.object.reason
-    parts += [*_notes(bent.notes), "<h3>With the fingers kept straight</h3>", f"<p>{escape(_sentence(said))}</p>"]
+    parts += [
+        *_notes([_sentence(each) for each in bent.notes]),
+        "<h3>With the fingers kept straight</h3>",
+        f"<p>{escape(_sentence(said))}</p>",
+    ]
     return parts + _straight(report)
 
 
@@ -65,7 +69,7 @@ def _straight(report: Report) -> list[str]:
     if result.slopes:
         parts += ["<h3>How the limits move</h3>"]
         parts += [table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
-    return parts + _notes(result.notes)
+    return parts + _notes([_sentence(each) for each in result.notes])
 
 
 def _regions(report: Report) -> list[str]:
@@ -81,25 +85,19 @@ def _regions(report: Report) -> list[str]:
     names = dict.fromkeys(name for column in columns for name in column)
     rows = [(name, *(column.get(name, "") for column in columns)) for name in names]
     parts.append(table(("", *(each.closure.value for each in caught)), rows))
-    return parts + _notes(_distinct(caught))
+    return parts + _notes(region_notes(caught))
 
 
 def _input(report: Report) -> list[str]:
     return ["<h2>The case</h2>", f"<pre>{escape(dump_case(report.case))}</pre>"]
 
 
-def _distinct(regions: list[Region]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(note for region in regions for note in region.notes))
-
-
 def _sentence(text: str) -> str:
     return f"{text[0].upper()}{text[1:]}."
 
 
-def _notes(texts: tuple[str, ...]) -> list[str]:
-    return (
-        [f'<ul class="notes">{"".join(f"<li>{escape(_sentence(each))}</li>" for each in texts)}</ul>'] if texts else []
-    )
+def _notes(sentences: list[str]) -> list[str]:
+    return [f'<ul class="notes">{"".join(f"<li>{escape(each)}</li>" for each in sentences)}</ul>'] if sentences else []
 
 
 def _list(texts: Iterable[str]) -> str:

@@ -20,9 +20,10 @@ from palmar.faces.plots.lettering import millimetres, square_millimetres
 from palmar.faces.plots.sheet import MARGIN, MM, Extent, Pad, Room, Sheet, per_paper_mm, sheet
 from palmar.faces.plots.strokes import stroke
 from palmar.faces.plots.style import FINE, HEAVY, SMALL_SIZE, Role
-from palmar.faces.words import resting_rows
+from palmar.faces.words import region_notes, resting_rows
 from palmar.geometry.planar_set import Circle, areal, inscribed_circle
 from palmar.geometry.planar_set import seen_from_object as from_object
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.hand import Hand
@@ -43,7 +44,7 @@ PALM_ERROR = replace(ERROR, words="allowed error: the largest circle in that reg
 
 ROOM = Room(Pad(3.0, 11.0, 3.0, 5.0), Pad(12.0, 11.0, 2.0, 3.0), Pad(0.0, 0.0, FACTS, 0.0))
 ROW_LEVEL = 3.5
-VISIBLE = 1e-3
+VISIBLE = 5e-3
 """Error bands below this share of the area are too thin to draw."""
 FAIR = radians(15.0)
 ALONG = radians(50.0)
@@ -79,10 +80,11 @@ def region_pictures(
     sides = replace(ROOM.sides, bottom=LEGEND_ROW * ((len(bands) + 1) // 2) + 2.0)
     beside = 3.0 if case.hand.open < FAIR or seen_from_object else 10.0
     room = replace(ROOM, sides=sides, inside=replace(ROOM.inside, left=beside, right=beside))
-    notes = dict.fromkeys(f"{each[0].upper()}{each[1:]}." for region in regions for each in region.notes)
     title = "Where the hand may start" if seen_from_object else "Where the object may start"
+    name = case.behaviour.name
+    does = "closing" if name is BehaviourName.CLOSE else name.value.replace("_", " ")
     extents = [[_extent(case, each)] for each in scenes]
-    page = sheet(extents, title=f"{title} for closing to catch it", footer=" ".join(notes), room=room)
+    page = sheet(extents, title=f"{title} for {does} to catch it", footer=" ".join(region_notes(regions)), room=room)
     for region, scene, (axes,) in zip(regions, scenes, page.panels, strict=True):
         theta = case.start.theta if region.orientations is None else region.orientations[0]
         _draw(axes, case, scene, theta)
