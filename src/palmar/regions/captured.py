@@ -36,7 +36,7 @@ SPACING, FINEST = 1.0 / 128.0, 1.0 / 4096.0
 """Default and least spacing of starts at the boundary, in finger lengths."""
 RESTITUTIONS = 9
 """Of a range, evenly spaced."""
-BETWEEN = 7
+BETWEEN = 21
 """Values, besides the ends of a range, at which each place of the returned boundary is asked about."""
 MARGIN = 1.0 / 32.0
 """What is returned lies inside the outline by this part of the spacing; a curve half-way is asked about."""
