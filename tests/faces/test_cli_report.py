@@ -31,7 +31,7 @@ def test_the_report_as_json(palmar, tmp_path):
     assert record["closure"]["structural"]["radius_max_m"] == pytest.approx(0.17748, abs=1e-6)
     assert record["closure_kept_straight"]["structural"]["radius_max_m"] == pytest.approx(0.06)
     page = (tmp_path / "testbed_table.html").read_text(encoding="utf-8")
-    assert page.index("held without friction by proximal links") < page.index("With the fingers kept straight")
+    assert page.index("Held without friction by proximal links") < page.index("With the fingers kept straight")
     assert [each["closure"] for each in record["regions"]] == ["structural", "frictional"]
     assert record["page"].endswith("testbed_table.html")
 
