@@ -28,6 +28,10 @@ Sides = tuple[MultiPolygon, MultiPolygon]
 """Inner and outer side of a region."""
 
 
+SIMPLER = 1e-5
+"""Of outlines that are compared, in finger lengths."""
+
+
 @dataclass(frozen=True)
 class RobustSets:
     """Inner and outer side (m) of what is caught for all values; the number of cases, and by how much (m) it is shrunk."""
@@ -57,5 +61,11 @@ def robust_sets(case: Case, region_of: Callable[[Case], Sides]) -> RobustSets:
         inner = inside if inner is None else inner & inside
         outer = outside if outer is None else outer & outside
     assert coarse is not None and inner is not None and outer is not None
-    moved = 0.0 if inner.is_empty else float(shapely.hausdorff_distance(coarse.boundary, inner.boundary))
+    moved = 0.0 if inner.is_empty else _apart(coarse, inner, SIMPLER * case.hand.finger_length)
     return RobustSets(areal(inner.buffer(-moved)), areal(outer), len(numbers), moved)
+
+
+def _apart(one: BaseGeometry, other: BaseGeometry, tolerance: float) -> float:
+    """How far (m) two outlines are apart at most; both are simplified by ``tolerance``, for its time is their product."""
+    first, second = (shapely.simplify(each.boundary, tolerance) for each in (one, other))
+    return float(shapely.hausdorff_distance(first, second)) + 2.0 * tolerance
