@@ -43,7 +43,7 @@ CASES = {
     "free disk, line fingers, restitution 0.5": FAST + DISK + "[contact]\nfriction = 0\nrestitution = 0.5\n" + FREE,
 }
 RUNS = 2
-ELSEWHERE = (BehaviourName.FOLLOW_POLICY, BehaviourName.MATCH_VELOCITY)
+ELSEWHERE = (BehaviourName.FOLLOW_POLICY, BehaviourName.MATCH_VELOCITY, BehaviourName.MATCHED_RETURN)
 """They need a plan, and a free disk that is tracked."""
 AWAY = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\nopen_deg = 40\nfinger_rate_deg_s = {rate}\n" + DISK
 JOINTED = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137, 107]\nfinger_rate_deg_s = 10\n"

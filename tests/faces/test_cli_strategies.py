@@ -18,7 +18,7 @@ finger_links_mm = [137.0, 107.0]
 radius_mm = 38.0
 [contact]
 friction = 0.0
-restitution = 1.0
+restitution = 0.5
 [support]
 kind = "free"
 """

@@ -96,7 +96,7 @@ def test_beside_sliding_the_ellipsoid_turns_9_parts_where_the_uniform_disk_turns
     assert other[2] / planar[2] == pytest.approx(9.0 / 16.0, rel=0.03)
 
 
-ELSEWHERE = (BehaviourName.FOLLOW_POLICY, BehaviourName.MATCH_VELOCITY)
+ELSEWHERE = (BehaviourName.FOLLOW_POLICY, BehaviourName.MATCH_VELOCITY, BehaviourName.MATCHED_RETURN)
 """They need a plan, and a free disk that is tracked."""
 
 
