@@ -19,6 +19,12 @@ def test_map_at_points(palmar):
     assert "0.6035534" in palmar("closure", "map", "--points", "0.25,0.5").out
 
 
+def test_where_no_palm_is_left_there_is_no_hand(palmar):
+    record = palmar("closure", "map", "--points", "0.5,0.5;0.25,0.5;3,4", "--json").record
+    assert record["distal"] == [0.5, 0.25, 3.0]
+    assert [each is None for each in record["radius_max"]["overall"]] == [True, False, True]
+
+
 def test_map_on_a_grid_and_its_picture(palmar, tmp_path):
     path = tmp_path / "map.svg"
     record = palmar("closure", "map", "--grid", "5", "--out", path, "--json").record
@@ -36,7 +42,6 @@ def test_map_on_a_grid_and_its_picture(palmar, tmp_path):
         (["--grid", "1001"], "from 2 to 1000"),
         (["--grid", "2.5"], "whole number"),
         (["--points", "-0.1,0.5"], "at least 0"),
-        (["--points", "0.5,0.5"], "sum below 1"),
         (["--points", "0.5"], "Q,P;Q,P"),
         (["--points", "0.1,0.2;;"], "Q,P;Q,P"),
         (["--points", "nan,0.5"], "finite number"),

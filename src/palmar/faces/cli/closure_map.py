@@ -37,7 +37,8 @@ def closure_map_command(
         from palmar.faces.plots.closure_map_picture import map_picture
         from palmar.faces.plots.style import save
 
-        shown = list(zip(result.distal, result.proximal, strict=True)) if points is not None else []
+        asked = zip(result.distal, result.proximal, strict=True) if points is not None else ()
+        shown = [(distal, proximal) for distal, proximal in asked if distal + proximal < 1.0]
         save(map_picture(shown), out)
     text = map_text(result)
     show(text if out is None else f"{text}\n\nWritten: {out}", map_record(result), json)
@@ -68,6 +69,6 @@ def _point(text: str) -> tuple[float, float]:
     if len(pair) != 2:
         raise InputError("--points", repr(text[:60]), FORM)
     distal, proximal = (number(each, "--points") for each in pair)
-    if distal < 0.0 or proximal < 0.0 or distal + proximal >= 1.0:
-        raise InputError("--points", repr(text[:60]), "both links must be at least 0 and their sum below 1")
+    if distal < 0.0 or proximal < 0.0:
+        raise InputError("--points", repr(text[:60]), "both links must be at least 0")
     return distal, proximal
