@@ -440,7 +440,7 @@ def free() -> None:
 
 def four_jointed() -> None:
     """The maps of chapter 5, and the length of the shortest hand over its number of links."""
-    write_picture(map_picture(), HERE / "four_jointed_map.svg")
+    write_picture(map_picture(), HERE / "four_jointed_map.png")
     figure, axis = plt.subplots(figsize=(7.2, 3.0), layout="constrained")
     counts = range(1, 9)
     lengths = [shortest_hand(each, 1.0).length for each in counts]
