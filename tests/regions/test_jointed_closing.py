@@ -67,6 +67,15 @@ def test_the_reflex_under_feedback_ends_alike_on_the_table(
     assert 1 < (expected <= Outcome.CAGED.code).sum() < 6
 
 
+def test_the_curl_takes_along_what_lies_beside_the_distal_link() -> None:
+    """Starts that the curled finger would overlap, were it curled before they are there."""
+    case = case_of(CURL, preshape=0.5)
+    starts = np.array([[0.2592, 0.0439, 0.0], [-0.2782, 0.052, 0.0], [0.2132, 0.0519, 0.0]])
+    assert (Carried(case).outcomes(starts) <= Outcome.CAGED.code).all()
+    for x, y, _ in starts[:2]:
+        assert run_behaviour(case, (float(x), float(y), 0.0), Circumstances(tick=0.1)).trace.outcome.caught
+
+
 @pytest.mark.parametrize(("name", "given"), [(CURL, {"preshape": 0.9}), (COUPLED, {"ratio": 0.6})])
 @pytest.mark.parametrize("restitution", [1.0, 0.3])
 def test_the_reflex_under_feedback_ends_alike_in_free_space(name, given, restitution: float) -> None:
