@@ -46,7 +46,7 @@ from palmar.worlds.planar.feedback import NO_TIME, TICK
 from palmar.worlds.planar.finger_pair import SIDES, Both
 
 STALL_TURN, STALL_SHARE = 0.1, 0.1
-"""A finger is held up while it has turned by less than this share of so much (rad) that it was told to turn: long enough for
+"""A finger is held up if it has turned on by less than this share of so much (rad) that it was told to turn: long enough for
 one that an impact has stopped to be back at its rate."""
 MOST_DAMPED = 5.0
 """Largest damping ratio of a contact: restitution 0.01; less than that is not told from it."""
@@ -57,7 +57,7 @@ OVERLAP = 1e-9
 
 @dataclass
 class SoftWorld:
-    """Made by ``soft_world``; ``slow``: for how much told turning (rad) each finger has hardly turned."""
+    """Made by ``soft_world``; ``owed``: how much (rad) each finger was told to turn since it was at ``from_angle``."""
 
     hand: SoftHand
     enclosure: Enclosure
@@ -70,7 +70,8 @@ class SoftWorld:
     told: NDArray[np.float64] = field(default_factory=lambda: np.array([0.0, 0.0, nan, nan]))
     felt: NDArray[np.float64] = field(default_factory=lambda: np.zeros(FELT_WIDTH))
     held: list[bool] = field(default_factory=lambda: [False, False])
-    slow: list[float] = field(default_factory=lambda: [0.0, 0.0])
+    owed: list[float] = field(default_factory=lambda: [0.0, 0.0])
+    from_angle: list[float] = field(default_factory=lambda: [0.0, 0.0])
     still: bool = False
     touched: bool = False
     firing: tuple[bool, ...] = ()
@@ -145,23 +146,29 @@ class SoftWorld:
             raise NotCoveredError("the world soft has straight fingers: distal joints cannot turn")
         for side in SIDES:
             if not np.array_equal(told[side::2], self.told[side::2], equal_nan=True):
-                self.held[side], self.slow[side] = False, 0.0
+                self.held[side], self.owed[side] = False, 0.0
         self.told = told
 
     def _go(self, span: float) -> None:
-        before = self.state[ANGLE : ANGLE + 2].copy()
+        for side in SIDES:
+            if self.owed[side] == 0.0:
+                self.from_angle[side] = float(self.state[ANGLE + side])
         middle, change = self.scratch
         advance(self.hand, self.state, self.told, self.felt, span, steps_for(self.hand, span), middle, change)
-        after = self.state[ANGLE : ANGLE + 2]
         for side in SIDES:
-            rate, torque = self.told[side], self.told[2 + side]
-            wanted = span * abs(rate) if np.isnan(torque) else 0.0
-            slow = bool(abs(after[side] - before[side]) < STALL_SHARE * wanted)
-            self.slow[side] = self.slow[side] + wanted if slow else 0.0
-            closes = rate > 0.0 if np.isnan(torque) else torque > 0.0
-            ended = closes and after[side] >= self.hand.highest - AT_END
-            self.held[side] = bool(ended or self.slow[side] >= STALL_TURN)
+            self._notice_stall(side, span)
         self.still = not self.state[[VX, VY, RATE, RATE + 1]].any()
+
+    def _notice_stall(self, side: int, span: float) -> None:
+        angle, rate, torque = float(self.state[ANGLE + side]), self.told[side], self.told[2 + side]
+        closes = rate > 0.0 if np.isnan(torque) else torque > 0.0
+        if np.isnan(torque):
+            self.owed[side] += span * abs(float(rate))
+        if closes and angle >= self.hand.highest - AT_END:
+            self.held[side] = True
+        elif self.owed[side] >= STALL_TURN:
+            turned = float(np.sign(rate)) * (angle - self.from_angle[side])
+            self.held[side], self.owed[side] = turned < STALL_SHARE * self.owed[side], 0.0
 
     def _touches(self) -> list[Touch]:
         """Where the disk has been felt since the last observation, as it lies now: on the links' rows."""
