@@ -63,9 +63,9 @@ DESCRIPTIONS: dict[BehaviourName, Description] = {
     ),
     BehaviourName.CLOSE_COUPLED: Description(
         "Close base and distal joints together.",
-        ("The base joints close at the finger rate, the distal joints at the ratio times that.",
+        ("The base joints close at the finger rate, the distal joints from their bend at the ratio times that.",
          "End when both fingers are held up."),
-        ("ratio",), "fingers of two links", "5.3.1",
+        ("ratio", "bend"), "fingers of two links", "5.3.1",
     ),
     BehaviourName.MATCH_VELOCITY: Description(
         "Fly along with a tracked free disk, bring it to its place in the hand, and close on it.",
