@@ -87,7 +87,9 @@ def preshape_rows(found: Preshapes) -> list[Row]:
     """Angles on a table by contact and by pressure; none in free space, or where the disk always rolls out."""
     if found.tip is None:
         return []
-    rows: list[Row] = [(f"contact at {100.0 * part:.3g} % of the distal link", *_ride(each)) for part, each in found.places]
+    rows: list[Row] = [
+        (f"contact at {100.0 * part:.3g} % of the distal link", *_ride(each)) for part, each in found.places
+    ]
     return rows + [(f"at its tip, pressure: {named}", *_ride(each)) for named, each in found.by_pressure]
 
 

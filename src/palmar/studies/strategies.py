@@ -80,7 +80,9 @@ def strategies(case: Case, say: Say = lambda words: None, effort: Effort | None 
     if len(case.hand.finger_links) != 2:
         raise NotCoveredError(f"strategies are for fingers of two links, not {len(case.hand.finger_links)}")
     if case.open_joints[1] != 0.0:
-        raise NotCoveredError("behaviour.bend_deg: strategies are for joints that move one by one, from straight fingers")
+        raise NotCoveredError(
+            "behaviour.bend_deg: strategies are for joints that move one by one, from straight fingers"
+        )
     effort = CAREFUL if effort is None else effort
     search = _Search(case, say, effort)
     found = [search.told("straight", None, Behaviour())]
