@@ -34,6 +34,8 @@ from palmar.faces.words import (
 )
 from palmar.models.case import Case
 from palmar.models.case_file import dump_case
+from palmar.studies.closure import ClosureAnswer
+from palmar.studies.jointed_closure import JointedClosure
 from palmar.studies.report import Closings, Report
 from palmar.studies.strategies import winner
 
@@ -68,9 +70,11 @@ def _closure(report: Report) -> list[str]:
     parts += [picture(bent_picture(report.case, bent), "Hand with its fingers bent around the largest disk it holds")]
     if bent.cases:
         parts += [table(("held without friction by", "radii"), carried_rows(bent.cases))]
+    parts += [*_moves(bent), *_notes([_sentence(each) for each in bent.notes])]
+    if bent.coupled:
+        return parts
     said = report.closure.object.reason
     parts += [
-        *_notes([_sentence(each) for each in bent.notes]),
         "<h3>With the fingers kept straight</h3>",
         f"<p>{escape(_sentence(said))}</p>",
     ]
@@ -82,12 +86,18 @@ def _straight(report: Report) -> list[str]:
     result = report.closure
     parts = [table(("", "radii", "verdict"), closure_rows(report.case, result))]
     parts += [picture(closure_picture(report.case, result), "Hand with the smallest and the largest disk it holds")]
+    return parts + _moves(result) + _notes([_sentence(each) for each in result.notes])
+
+
+def _moves(result: ClosureAnswer | JointedClosure) -> list[str]:
+    """What to change so that the object is held, and how the limits move."""
+    parts = []
     if result.changes:
         parts += ["<h3>What would have to change</h3>", _list(change_line(each) for each in result.changes)]
     if result.slopes:
         parts += ["<h3>How the limits move</h3>"]
         parts += [table(("change", "largest radius", "smallest radius"), [slope_row(each) for each in result.slopes])]
-    return parts + _notes([_sentence(each) for each in result.notes])
+    return parts
 
 
 def _regions(report: Report) -> list[str]:

@@ -43,7 +43,7 @@ def _feet(case: Case, body: str, pose: Floats, fingers: Floats) -> list[Place]:
     hand, height = case.hand, case.palm_ahead(sides[0].tolist(), sides[1].tolist())
     name, _, part = body.partition("_")
     if name in SIDES:
-        points = finger_points(hand, sides[SIDES.index(name)], left=name == "left")
+        points = finger_points(hand, sides[SIDES.index(name)].tolist(), left=name == "left")
         ends, half = (points + np.array([0.0, height]))[_between(part)], hand.half_thickness
     elif name == "wall":
         assert case.support.wall is not None

@@ -116,7 +116,8 @@ class JointedWorld:
         known: list[Event] = []
         gone: list[tuple[Stretch, Floats]] = []
         for stretch in self.stretches:
-            end, log = carry(stretch.motion, self.body, *place, events=MOST_EVENTS)
+            x, y, theta = place.tolist()
+            end, log = carry(stretch.motion, self.body, x, y, theta, events=MOST_EVENTS)
             gone.append((stretch, place))
             known += self._events(stretch, log, known)
             place = np.array([end.x, end.y, end.theta])
