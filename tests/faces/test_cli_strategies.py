@@ -72,7 +72,7 @@ def test_bad_input_is_one_line(palmar, words: list[str], said: str) -> None:
 
 
 def test_strategies_side_by_side(palmar, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    effort = strategies.Effort((0.5, 1.0), (0.5, 1.0), 1 / 12, 1, fine=1 / 16, told=1 / 24)
+    effort = strategies.Effort((0.75, 1.0), (0.5, 0.75), 1 / 12, 0, fine=1 / 16, told=1 / 20)
     monkeypatch.setattr(strategies, "CAREFUL", effort)
     case, file = tmp_path / "case.toml", tmp_path / "strategies.png"
     case.write_text(FRICTIONLESS)

@@ -26,7 +26,7 @@ from palmar.studies.closure import Change, Slope, Verdict
 Floats = NDArray[np.float64]
 STEP = 1e-6
 """Of a difference, in half palm and links together, or rad."""
-REACH, GRID, FINER, ROUNDS = 30.0, 601, 33, 6
+REACH, GRID, FINER, ROUNDS = 30.0, 601, 513, 3
 """Sufficient values are looked for up to so many times the length, and down to that part of it, on so many nodes."""
 MOST_FRICTION = 100.0
 

@@ -16,6 +16,7 @@ from palmar.errors import NotCoveredError
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.case import Case
 from palmar.models.jointed_motion import distal_limit
+from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
 from palmar.regions.build import build_region
 from palmar.regions.captured import captured_count
@@ -83,6 +84,8 @@ def strategies(case: Case, say: Say = lambda words: None, effort: Effort | None 
         raise NotCoveredError(
             "behaviour.bend_deg: strategies are for joints that move one by one, from straight fingers"
         )
+    if not isinstance(case.object, Disk) or case.ranges or case.support.wall is not None:
+        raise NotCoveredError("strategies are for disks, plain numbers, and a table without a wall")
     effort = CAREFUL if effort is None else effort
     search = _Search(case, say, effort)
     found = [search.told("straight", None, Behaviour())]

@@ -47,6 +47,9 @@ def scanned(hand: LimitedHand, nodes: int = 61) -> tuple[float, float]:
     first = np.broadcast_to([hand.half_palm, 0.0], (nodes, nodes, 1, 2))
     points = np.concatenate([first, first + steps.cumsum(axis=-2)], axis=-2)
     able = (points[..., 1] >= -1e-12).all(-1)
+    if hand.coupling is not None:
+        open_base, open_bend, ratio = hand.coupling
+        able &= bend >= open_bend + ratio * (base - open_base) - 1e-12
     if not hand.crossing:
         able &= (points[..., 0] >= hand.half_thickness).all(-1)
     points, alpha = points[able], hand.friction_angle
@@ -102,6 +105,30 @@ def test_a_scan_of_postures_finds_the_same_radii(seed: int):
         return
     assert found[0][0] - 1e-3 <= smallest <= found[0][0] + 0.03
     assert found[-1][1] - 0.05 <= largest <= found[-1][1] + 1e-3
+
+
+@pytest.mark.parametrize(("seed", "ratio", "share"), [(0, -1.0, 0.5), (1, 0.4, 0.3), (2, -0.5, 0.8)])
+def test_a_coupling_keeps_the_second_joint_from_falling_behind(seed: int, ratio: float, share: float):
+    plain = hand_of(seed)
+    low, high = plain.limits[1]
+    hand = dataclasses.replace(plain, coupling=(plain.limits[0][0], low + share * (high - low), ratio))
+    found, free = limited_radii(hand).intervals, limited_radii(plain).intervals
+    smallest, largest = scanned(hand)
+    assert found[0][0] - 1e-3 <= smallest <= found[0][0] + 0.03
+    assert found[-1][1] - 0.05 <= largest <= found[-1][1] + 1e-3
+    assert found[-1][1] <= free[-1][1] + 1e-3
+    assert found[0][0] >= free[0][0] - 1e-3
+
+
+def test_links_kept_square_to_the_palm_hold_by_friction_what_is_no_wider_than_their_gap():
+    """Tips with round ends reach h beyond: contacts at -alpha at the ends, R cos(alpha) + h cos(alpha) = gap / 2 + h."""
+    palm, link, h, alpha = 0.3, 0.4, 0.02, 0.4
+    limits = ((radians(50.0), radians(90.0)), (0.0, radians(40.0)))
+    hand = LimitedHand(palm, (link, 0.3), limits, alpha, h, False, (radians(50.0), radians(40.0), -1.0))
+    gap = palm + link * np.cos(radians(50.0))
+    largest = limited_radii(hand).intervals[-1][1]
+    assert largest == pytest.approx(gap / np.cos(alpha) - h, rel=1e-3)
+    assert limited_radii(dataclasses.replace(hand, coupling=None)).intervals[-1][1] > 1.1 * largest
 
 
 def test_the_stance_keeps_its_limits_and_touches_the_disk():

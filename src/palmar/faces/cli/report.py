@@ -36,10 +36,10 @@ def report(
     from palmar.faces.pages.report_page import report_page
 
     name, given = open_case(case)
+    path = make_folder(out) / f"{name}.html"
     facts = report_facts(name, given, progress)
     progress("pictures")
     page = report_page(facts)
-    path = make_folder(out) / f"{name}.html"
     write_whole(path, lambda partial: _write(partial, page))
     show(_text(facts, path), _record(facts, path), json)
     answer(facts.verdict.structural or facts.verdict.frictional, check)

@@ -120,7 +120,7 @@ def _closings(case: Case, told: Closings) -> list[str]:
     """Strategies side by side, and the preshapes that theory gives."""
     parts = ["<h2>How should two joints a finger close?</h2>"]
     if told.preshapes is None:
-        return [*parts, f"<p>No comparison: {escape(_sentence(told.uncovered or ''))}</p>"]
+        return [*parts, f"<p>No comparison: {escape(told.uncovered or '')}.</p>"]
     found = told.strategies
     parts += [f'<p class="answer">{escape(strategy_verdict(found, winner(found)))}</p>']
     if any(not each.region.centre.is_empty for each in found):
