@@ -1,4 +1,4 @@
-"""How should two joints a finger close? A quick search over the strategies, and one start that only the best of them catches."""
+"""How should two joints a finger close? A quick search, and one start that only the best strategy catches."""
 
 from math import degrees
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -97,7 +99,7 @@ def test_what_the_curl_touches_goes_on_touching_while_the_base_joints_close() ->
         each for each in events_at(case, (0.23, 0.06)) if each[2] == "right_link_2" and each[1] in ("touch", "leave")
     ]
     assert found[0][1] == "touch" and found[0][0] < 1.5
-    assert all(before[1] != after[1] for before, after in zip(found, found[1:], strict=False))
+    assert all(before[1] != after[1] for before, after in pairwise(found))
 
 
 def test_a_finger_that_its_curl_holds_up_is_followed_by_the_reflex() -> None:
