@@ -98,7 +98,7 @@ def compare(name: str, count: int, seed: int) -> None:
 
 
 def disc(name: str, count: int, seed: int) -> None:
-    """The source's disc of contacts as one of centres: the finger's inner side touches a disk up to ``arm`` from its base."""
+    """The source's disc of contacts as one of centres: a finger's inner side touches disks up to ``arm`` from its base."""
     case, rng = parse_case(CASES[name], name), np.random.default_rng(seed)
     tip = preshapes(case).tip
     assert tip is not None and isinstance(case.object, Disk)

@@ -99,10 +99,10 @@ def inscribed_circle(region: MultiPolygon, tolerance: float) -> Circle:
     return Circle((float(centre.x), float(centre.y)), float(edge.distance(centre)))
 
 
-def uniform_places(area: MultiPolygon, count: int, rng: np.random.Generator) -> Floats:
+def uniform_places(area: MultiPolygon, count: int, rng: np.random.Generator) -> NDArray[np.float64]:
     """Places (count, 2) uniform over a set that is not empty, by rejection from its bounding box."""
     left, low, right, high = area.bounds
-    found: list[Floats] = []
+    found: list[NDArray[np.float64]] = []
     shapely.prepare(area)
     while sum(map(len, found)) < count:
         tried = np.column_stack([rng.uniform(left, right, count), rng.uniform(low, high, count)])

@@ -32,8 +32,8 @@ SMALLEST = 1e-3
 RADII, CLOSER_RADII, FINER_RADII, ROUNDS = 97, 9, 33, 3
 FIRST_NODES, NODES = (1, 101, 31, 11), (1, 9, 5, 5)
 """Nodes along each unknown of a grid, for 0 to 3 unknowns."""
-COARSE_LEVELS, LEVELS = (1, 8, 12, 14), (1, 30, 140, 80)
-NARROWING = (0.0, 0.55, 0.88, 0.8)
+COARSE_LEVELS, LEVELS = (1, 8, 12, 14), (1, 30, 140, 140)
+NARROWING = (0.0, 0.55, 0.88, 0.87)
 """Slow where a ridge of the margin may lie askew in the grid."""
 STRIDES = np.array([-2.0, -0.5, 0.5, 1.0, 2.0, 4.0, 8.0])
 """Steps ahead along the last moves, in their length, tried beside the grid."""
