@@ -1,4 +1,4 @@
-"""Closure within joint limits beside the brute force of ``tests/reference/slow_limited.py``, for fingers of two and three links.
+"""Closure within joint limits beside the brute force of ``tests/reference/slow_limited.py``, for two and three links.
 
     python3 dev.py validate limited [HANDS [SEED]]
 

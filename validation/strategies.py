@@ -1,13 +1,13 @@
 """Closing strategies of the test bed's hand side by side, and random starts in and about each of their regions.
 
-    python3 dev.py validate strategies [STARTS [SEED]]
+    python3 dev.py validate strategies [WORD...] [STARTS [SEED]]
 
 The hand of chapter 6 (half palm 60, links 137 and 107, disk 38 mm) on a table and in free space, with lines and with thick
 fingers of one plane: the areas of all strategies, and of STARTS (100 000) random starts inside each region how many are
 lost, and of as many outside, within a disk's radius, how many are caught. RUNS starts inside each are run by the behaviour's
 reflex under feedback too.
 
-    python3 dev.py validate strategies disc [STARTS [SEED]]
+    python3 dev.py validate strategies disc [WORD...] [STARTS [SEED]]
 
 The source's pre-image of curling and closing on a table (section 5.2), a disc about each base joint, beside the true region.
 """
@@ -118,11 +118,14 @@ def disc(name: str, count: int, seed: int) -> None:
 
 
 def main(words: list[str]) -> None:
-    """Every case, or the disc in those on a table."""
-    whole, words = words[:1] != ["disc"], [each for each in words if each != "disc"]
-    count, seed = (int(words[0]) if words else 100_000), (int(words[1]) if len(words) > 1 else 20261126)
+    """Every case with a given word in its name; with the word disc only those on a table."""
+    numbers = [int(each) for each in words if each.isdigit()]
+    wanted = [each for each in words if not each.isdigit() and each != "disc"]
+    count, seed = (*numbers, *(100_000, 20261126)[len(numbers) :])
     for name in CASES:
-        if whole:
+        if not all(each in name for each in wanted):
+            continue
+        if "disc" not in words:
             compare(name, count, seed)
         elif name.startswith("table"):
             disc(name, count, seed)

@@ -42,7 +42,7 @@ def lifted(points: Floats, h: float, heights: Floats) -> tuple[Floats, Floats]:
 
 
 def placed(hand: LimitedHand, angles: Floats) -> tuple[Floats, np.ndarray]:
-    """Joints and tip (N, n + 1, 2) at joint angles (N, n), and which postures the palm line, the plane and a coupling allow."""
+    """Joints and tip (N, n + 1, 2) at joint angles (N, n), and which of them palm line, plane and coupling allow."""
     turned = angles.cumsum(axis=1)
     steps = np.stack([np.cos(turned), np.sin(turned)], axis=-1) * np.array(hand.links)[:, None]
     first = np.broadcast_to([hand.half_palm, 0.0], (len(angles), 1, 2))
