@@ -83,3 +83,11 @@ def test_fingers_of_one_plane_hold_small_disks_by_bending_only_if_their_tips_can
     assert change.to <= 0.107 + 1e-9
     longer = text.replace("40]", f"{1e3 * change.to + 1e-6}]")
     assert jointed_closure(parse_case(longer + "[contact]\nfriction = 0\n")).object.structural
+
+
+@pytest.mark.parametrize(("distal", "meets"), [(40.0, False), (120.0, True)])
+def test_the_smallest_radius_is_that_of_the_closure(distal: float, meets: bool) -> None:
+    text = f"[hand]\npalm_width_mm = 60\nfinger_links_mm = [137, {distal}]\nfingers = 'colliding'\n"
+    answer = jointed_closure(parse_case(text + "[object]\nradius_mm = 30\n[contact]\nfriction = 0\n"))
+    assert answer.structural is not None and (answer.structural.radius_min == 0.0) is meets
+    assert any(each.radius_min != (0.0, 0.0) for each in answer.slopes) is not meets
