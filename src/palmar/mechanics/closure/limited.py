@@ -32,8 +32,8 @@ SMALLEST = 1e-3
 RADII, CLOSER_RADII, FINER_RADII, ROUNDS = 97, 9, 33, 3
 FIRST_NODES, NODES = (1, 101, 31, 11), (1, 9, 5, 5)
 """Nodes along each unknown of a grid, for 0 to 3 unknowns."""
-COARSE_LEVELS, LEVELS = (1, 8, 12, 14), (1, 30, 140, 140)
-NARROWING = (0.0, 0.55, 0.88, 0.87)
+COARSE_LEVELS, LEVELS = (1, 8, 12, 14), (1, 30, 140, 80)
+NARROWING = (0.0, 0.55, 0.88, 0.8)
 """Slow where a ridge of the margin may lie askew in the grid."""
 STRIDES = np.array([-2.0, -0.5, 0.5, 1.0, 2.0, 4.0, 8.0])
 """Steps ahead along the last moves, in their length, tried beside the grid."""
@@ -121,14 +121,17 @@ def _closer(hand: LimitedHand, radii: Floats, margins: Floats) -> tuple[Floats, 
 
 
 def _end(hand: LimitedHand, between: tuple[float, float], held_below: bool) -> float:
-    """Where holding ends or begins between two radii: the side that is held."""
+    """Where holding ends or begins between two radii: the side that is held.
+
+    The last held radius counts, whatever the search missed before it: a stance that was found is there.
+    """
     low, high = between
     ways = [way for way in _ways(hand) if _searched(way, np.array(between), LEVELS).margin.max() > -NEARLY]
     for _ in range(ROUNDS):
         radii = np.linspace(low, high, FINER_RADII)
         held = _greatest(ways, radii, LEVELS) >= HELD
         held[0], held[-1] = held_below, not held_below
-        at = int(np.flatnonzero(held != held_below)[0])
+        at = int(np.flatnonzero(held)[-1]) + 1 if held_below else int(np.flatnonzero(held)[0])
         low, high = float(radii[at - 1]), float(radii[at])
     return low if held_below else high
 
