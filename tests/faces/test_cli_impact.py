@@ -79,7 +79,7 @@ def test_a_limit_that_is_kept_needs_no_pad(palmar, light):
 
 
 def test_touch_down_and_feedback(palmar, light):
-    """From rest the switch is at A / 2 + w1^2 / 4 a; the gain's limit is b / (T k) + T b / m + b^2 / (m k)."""
+    """From rest the switch is at A / 2 + w1^2 / 4 a; the gain's limit is Routh and Hurwitz'."""
     words = ("impact", light, "--speed", 50, "--stiffness", 8, "--torque", 0.02, "--lag", 5)
     record = palmar(*words, "--json").record
     inertia, rate = 0.3 * 0.244**2 / 3.0, 0.05 / FOOT
@@ -90,8 +90,9 @@ def test_touch_down_and_feedback(palmar, light):
     assert peak - quick * (down["time_s"] - down["switch_time_s"]) == pytest.approx(rate)
     assert down["speed_m_s"] == pytest.approx(0.05)
     finger, damper = inertia / FOOT**2, 2.0 * record["damping_ratio"] * sqrt(8000.0 * record["mass_kg"])
-    limit = damper / (0.005 * 8000.0) + 0.005 * damper / finger + damper**2 / (finger * 8000.0)
-    assert record["feedback"]["gain_limit"] == pytest.approx(limit)
+    lag, k = 0.005, 8000.0
+    whole = 1.0 + record["feedback"]["gain_limit"]
+    assert (finger + lag * damper) * (lag * k + damper * whole) == pytest.approx(lag * finger * k * whole)
     text = palmar(*words).out
     assert "torque reversed" in text and "stable below" in text
 

@@ -7,7 +7,9 @@ from typing import Any
 from palmar.behaviours.close import Closing
 from palmar.behaviours.close_coupled import CoupledClosing
 from palmar.behaviours.curl_and_close import CurlAndClose
+from palmar.behaviours.force_feedback import ForceFeedback
 from palmar.behaviours.jointed import JointedReflex
+from palmar.behaviours.let_go import LettingGo
 from palmar.behaviours.match_velocity import ArmLimits, MatchVelocity
 from palmar.behaviours.matched_return import MatchedReturn
 from palmar.behaviours.move_and_grab import MoveAndGrab
@@ -16,7 +18,9 @@ from palmar.behaviours.palm_reflex import PalmReflex
 from palmar.behaviours.reflex import Advance, Drive, Reflex
 from palmar.behaviours.scoop import Scoop
 from palmar.behaviours.sensor_places import SensorPlaces, places_of
+from palmar.behaviours.touch_down import TouchDown
 from palmar.errors import NotCoveredError
+from palmar.mechanics.impact.touch_down_case import touch_down_programme
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
@@ -50,6 +54,12 @@ def reflex_of(case: Case) -> Reflex[Any]:
         return CurlAndClose(drive, curl_of(case))
     if name is BehaviourName.CLOSE_COUPLED:
         return CoupledClosing(drive, given.ratio, coupled_limit(case))
+    if name is BehaviourName.TOUCH_DOWN:
+        return TouchDown(drive, tuple(touch_down_programme(case)))
+    if name is BehaviourName.LET_GO:
+        return LettingGo(drive, given.trigger, given.delay, given.limp)
+    if name is BehaviourName.FORCE_FEEDBACK:
+        return ForceFeedback(drive, given.grip, given.gain, given.patience)
     if name is BehaviourName.MATCH_VELOCITY:
         return _matching(case, drive)
     if name is BehaviourName.MATCHED_RETURN:

@@ -67,6 +67,26 @@ DESCRIPTIONS: dict[BehaviourName, Description] = {
          "End when both fingers are held up."),
         ("ratio", "bend"), "fingers of two links", "5.3.1",
     ),
+    BehaviourName.TOUCH_DOWN: Description(
+        "Turn fast, slow down to touch a standing disk at a low rate, and close on at that rate.",
+        ("Each finger speeds up to the finger rate at most, and slows down to the touch rate where it may first touch the"
+         " disk about the case's start, as far off as the uncertainty.",
+         "Close on at the touch rate.", "End when both fingers are held up."),
+        ("touch_rate", "finger_acceleration", "uncertainty"), "to know about where the disk stands", "4.3.2",
+    ),
+    BehaviourName.LET_GO: Description(
+        "Close; let a finger go for a while, once, when the force on it passes a trigger.",
+        ("Both base joints close.", "A finger on which the force passes the trigger is let go, after the delay.",
+         "After the limp time it closes on.", "End when both fingers are held up."),
+        ("trigger", "delay", "limp"), "force sensors and fingers of a mass: --world soft", "4.3.2",
+    ),
+    BehaviourName.FORCE_FEEDBACK: Description(
+        "Close to the touch, then feed the contact's moment back to the motor: the naive way; a drive that lags hammers.",
+        ("Each base joint closes until its finger feels the disk.",
+         "Its motor is asked for the grip and the gain times what is missing of it.",
+         "End when the patience after the first touch is over."),
+        ("grip", "gain", "patience"), "force sensors and fingers of a mass: --world soft", "4.3.2",
+    ),
     BehaviourName.MATCH_VELOCITY: Description(
         "Fly along with a tracked free disk, bring it to its place in the hand, and close on it.",
         ("Look: end, and say why, if speed, reach or patience do not allow what follows.",

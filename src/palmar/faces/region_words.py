@@ -156,11 +156,11 @@ def validity_lines(given: Validity) -> Iterator[str]:
         )
         if slow.squeeze_speed > slow.push_speed:
             yield f"Between both fingers, or finger and palm, it then moves at up to {slow.squeeze_speed:.2g} m/s."
-    if given.toppling is None:
+    if given.toppling is None and given.alike_at_any_rate:
         yield "At rest in free space it fares alike at any closing rate, and at any mass where nothing slows the fingers."
-    elif isfinite(given.toppling.height):
+    elif given.toppling is not None and isfinite(given.toppling.height):
         yield f"It topples if pushed above {_mm(given.toppling.height)} mm."
-    else:
+    elif given.toppling is not None:
         yield "It cannot topple: nothing holds it back."
     if given.offset is not None:
         yield (

@@ -30,6 +30,7 @@ def run_record(done: BehaviourRun) -> dict[str, Any]:
             "finger_rad": [list(last.seen.left), list(last.seen.right)],
             "arm": _pose(last.seen.arm),
         },
+        "peak_force_N": _peaks(trace),
         "events": [{"t_s": each.time, "kind": each.kind, "what": each.what} for each in trace.happenings],
     }
 
@@ -51,6 +52,8 @@ def whole_record(done: BehaviourRun) -> dict[str, Any]:
                 "object": list(row.pose),
                 "bits": bits_text(row.seen.bits),
                 "held_up": bits_text(row.seen.stalled),
+                "force_N": _left_first(row.seen.forces),
+                "moment_N_m": _left_first(row.seen.moments),
                 "track": None if row.seen.track is None else list(row.seen.track),
                 "why": reasons.index(row.why),
             }
@@ -72,6 +75,16 @@ def read_record(record: dict[str, Any], name: str) -> BehaviourRun:
     return BehaviourRun(case, place, bool(record["massive"]), trace, Verdict(record["verdict"]))
 
 
+def _left_first(pair: tuple[float, float] | None) -> list[float] | None:
+    return None if pair is None else [pair[1], pair[0]]
+
+
+def _peaks(trace: Trace) -> dict[str, float] | None:
+    """The largest force on each finger; None of a world that tells none."""
+    right, left = trace.peak_forces or (None, None)
+    return None if right is None or left is None else {"left": left, "right": right}
+
+
 def bits_text(bits: tuple[bool, ...]) -> str:
     """One digit a bit."""
     return "".join("1" if each else "0" for each in bits)
@@ -88,10 +101,19 @@ def _row(each: dict[str, Any], reasons: list[str]) -> Row:
     right, left = (tuple(float(angle) for angle in each[name]) for name in ("right_rad", "left_rad"))
     held, told = text_bits(each["held_up"]), each.get("track")
     track = None if told is None else (*_three(told[:3]), float(told[3]))
+    forces, moments = (_right_first(each.get(name)) for name in ("force_N", "moment_N_m"))
     seen = Observation(
-        float(each["t_s"]), right, left, text_bits(each["bits"]), (held[0], held[1]), _three(each["arm"]), track
-    )
+        float(each["t_s"]), right, left, text_bits(each["bits"]), (held[0], held[1]), _three(each["arm"]), track,
+        forces, moments,
+    )  # fmt: skip
     return Row(seen, _three(each["object"]), str(reasons[each["why"]]))
+
+
+def _right_first(pair: list[Any] | None) -> tuple[float, float] | None:
+    if pair is None:
+        return None
+    left, right = (float(each) for each in pair)
+    return right, left
 
 
 def _three(given: list[Any]) -> tuple[float, float, float]:

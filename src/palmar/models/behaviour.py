@@ -33,6 +33,12 @@ class BehaviourName(Enum):
     """Curl the distal joints to the preshape angle, then close the base joints (sections 5.2.2 and 5.3.1)."""
     CLOSE_COUPLED = "close_coupled"
     """Close base and distal joints together, at a fixed ratio of rates (section 5.3.1)."""
+    TOUCH_DOWN = "touch_down"
+    """Turn fast, slow down to touch a standing object at a low rate, and close on at that rate (section 4.3.2)."""
+    LET_GO = "let_go"
+    """Close; a finger on which the force passes a trigger is let go for a while, then closes on (section 4.3.2)."""
+    FORCE_FEEDBACK = "force_feedback"
+    """Close to the touch, then feed the contact's moment back to the motor: the naive way (section 4.3.2)."""
     MATCH_VELOCITY = "match_velocity"
     """Fly along with a tracked free disk, bring it to its place in the hand, and close on it (section 4.3.1)."""
     MATCHED_RETURN = "matched_return"
@@ -64,8 +70,19 @@ class Behaviour(Value):
     bend: Annotated[Real, Field(gt=-pi, lt=pi), Unit.DEGREE] = 0.0
     """Distal angle of the open hand whose joints close together; in every other motion it is straight."""
     uncertainty: Annotated[Real, Field(gt=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE] = 0.02
-    """Radius of the disk about the case's start in which a plan takes the object's centre to be."""
-
+    """Radius of the disk about the case's start in which a plan, or a touch-down, takes the object's centre to be."""
+    touch_rate: Annotated[Real, Field(gt=0.0, le=1000.0), Unit.DEGREE_PER_SECOND] = Unit.DEGREE_PER_SECOND.to_si(5.0)
+    """At which a finger that touches down reaches the object."""
+    finger_acceleration: Annotated[Real | None, Field(gt=0.0, le=1e6), Unit.DEGREE_PER_SECOND_SQUARED] = None
+    """Of a finger that touches down; absent = the motor's torque over the finger's inertia."""
+    trigger: Annotated[Real, Field(gt=0.0, le=1e9), Unit.NEWTON] = 1.0
+    """Force on a finger that lets it go."""
+    limp: Duration = 0.2
+    """How long it is let go."""
+    grip: Annotated[Real, Field(gt=0.0, le=1e6), Unit.NEWTON_METRE] = 0.1
+    """Moment of the contact about the base joint that force feedback wants."""
+    gain: Annotated[Real, Field(ge=0.0, le=1e6)] = 1.0
+    """Of that feedback."""
     reach: Way = 1.0
     """How far the hand that follows an object may go from where it started."""
     acceleration: Annotated[Real, Field(gt=0.0, le=1e6), Unit.MILLIMETRE_PER_SECOND_SQUARED] = 2.0

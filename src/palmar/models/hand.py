@@ -46,6 +46,8 @@ class Hand(Value):
     """Mass of one finger; absent = heavy fingers that are not slowed."""
     finger_torque: Annotated[Real | None, Field(gt=0.0, le=1e6), Unit.NEWTON_METRE] = None
     """Largest torque of the motor that brings a finger back to its rate after an impact; absent = it is back at once."""
+    drive_lag: Annotated[Real, Field(ge=0.0, le=100.0), Unit.SECOND] = 0.0
+    """Time constant with which a motor's torque follows what it is told, where forces are simulated."""
     joint_limits: Annotated[tuple[tuple[Angle, Angle], ...] | None, Unit.DEGREE] = None
     """(lowest, highest) angle of each joint, base joint first; absent = no limits."""
 

@@ -25,8 +25,11 @@ class Unit(Enum):
     MILLIMETRE_PER_SECOND_SQUARED = ("mm_s2", "mm/s^2", 1.0, 1000.0)
     DEGREE = ("deg", "deg", math.pi, 180.0)
     DEGREE_PER_SECOND = ("deg_s", "deg/s", math.pi, 180.0)
+    DEGREE_PER_SECOND_SQUARED = ("deg_s2", "deg/s^2", math.pi, 180.0)
     KILOGRAM = ("kg", "kg", 1.0, 1.0)
     NEWTON_METRE = ("N_m", "N m", 1.0, 1.0)
+    NEWTON = ("N", "N", 1.0, 1.0)
+    NEWTON_PER_MILLIMETRE = ("N_mm", "N/mm", 1000.0, 1.0)
     SECOND = ("s", "s", 1.0, 1.0)
 
     def __init__(self, suffix: str, printed: str, factor: float, divisor: float) -> None:

@@ -33,7 +33,8 @@ def build_region(
     ``tolerance`` (m): how far curves of the exact region may be flattened, or simulated starts be apart.
     """
     walled = case.support.wall is not None
-    if case.behaviour.name in JOINTED_CLOSING and model is Model.EXACT:
+    touches_down = case.behaviour.name is BehaviourName.TOUCH_DOWN and case.support.kind is SupportKind.FREE
+    if (case.behaviour.name in JOINTED_CLOSING or touches_down) and model is Model.EXACT:
         return _jointed_region(_turned(case, orientations), closure, tolerance)
     if case.behaviour.name is not BehaviourName.CLOSE or walled:
         if model is not Model.EXACT:

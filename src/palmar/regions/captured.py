@@ -7,7 +7,7 @@ not bounded: ``sampled``. A disk that starts with a velocity has a region for th
 
 from __future__ import annotations
 
-from math import ceil, hypot, log2
+from math import ceil, hypot, inf, log2
 
 import numpy as np
 import shapely
@@ -19,6 +19,7 @@ from palmar.geometry.planar_set import EMPTY, areal, grown, outline, with_mirror
 from palmar.mechanics.impact.capture import capture_all
 from palmar.mechanics.impact.capture_case import capture_hand_of, impact_law_of
 from palmar.mechanics.impact.finger_motion import CaptureHand
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
@@ -48,6 +49,8 @@ CELLS, FEWEST_CELLS = 96, 32
 """Of the coarse grid, all of whose nodes are asked about, across."""
 MOST_EVENTS = 2_000
 """Of one start, after which it counts as lost: what rattles so long in the throat is next to the outline."""
+MOST_SLOWED = 20_000
+"""The same before fingers whose motors have a limit: there hops stand for sustained contact."""
 TURN = 0.5 * (5.0**0.5 - 1.0)
 """The golden section: its multiples, without whole numbers, fill the unit interval evenly."""
 
@@ -140,6 +143,7 @@ class Captured:
     def __init__(self, case: Case) -> None:
         self.restitutions = restitutions_of(case)
         self.hand, self._law, self._velocity = capture_hand_of(case), impact_law_of(case), case.start.velocity
+        self._events = MOST_EVENTS if self._law.torque == inf else MOST_SLOWED
         self.starts = 0
 
     def caught(self, x: Floats, y: Floats) -> NDArray[np.bool_]:
@@ -165,7 +169,7 @@ class Captured:
         held = np.ones(len(x), bool) if those is None else those.copy()
         some = np.flatnonzero(held)
         places = np.column_stack([x[some], y[some]])
-        ends = capture_all(self.hand, places, self._velocity, es[some], law=self._law, most_events=MOST_EVENTS)
+        ends = capture_all(self.hand, places, self._velocity, es[some], law=self._law, most_events=self._events)
         held[some] = ends.codes <= Outcome.CAGED.code
         self.starts += len(some)
         return held
@@ -187,15 +191,16 @@ def _box(case: Case, hand: CaptureHand, spacing: float) -> Box:
     width = 2.0 * (hand.reach + abs(vx) * time)
     height = hand.reach - hand.half_palm + max(-vy, 0.0) * time
     cells = min(CELLS, max(FEWEST_CELLS, 2 * ceil(0.5 * width / spacing)))
-    return Box(width, height, cells, vx == 0.0)
+    alike = bool((hand.angles[:, 0] == hand.angles[:, 1]).all())
+    return Box(width, height, cells, vx == 0.0 and alike)
 
 
 def _contact(centre: MultiPolygon, case: Case, hand: CaptureHand) -> MultiPolygon:
     """Where the right finger, and its image, first touch a disk at rest: r^2 = |c - base|^2 - (R + h)^2, in their frame.
 
-    For straight fingers; empty else.
+    For straight fingers that turn alike; empty else.
     """
-    if centre.is_empty or case.start.velocity != (0.0, 0.0) or case.behaviour.name in JOINTED_CLOSING:
+    if centre.is_empty or case.start.velocity != (0.0, 0.0) or case.behaviour.name is not BehaviourName.CLOSE:
         return EMPTY
     apart = hand.radius + hand.half_thickness
     left, low, right, high = centre.bounds

@@ -1,4 +1,4 @@
-"""From where a behaviour under feedback catches the object: the region of its runs in the planar world.
+"""From where a behaviour under feedback catches the object: the region of its runs in the planar or another world.
 
 A reflex decides by what it feels, so no closed form and no batch kernel has its region. Starts on a square grid are run one
 by one, on every processor that the executor has, and the grid is halved where neighbours differ (``boundary_search``):
@@ -212,6 +212,10 @@ def _duration(case: Case) -> float:
         waits = does.patience
     if does.name is BehaviourName.PALM_REFLEX:
         waits = (waits if does.advance > 0.0 else does.patience) + does.delay
+    if does.name is BehaviourName.TOUCH_DOWN:
+        waits = (pi - case.hand.open) / min(does.touch_rate, case.hand.finger_rate)
+    if does.name in (BehaviourName.LET_GO, BehaviourName.FORCE_FEEDBACK):
+        waits = does.delay + does.limp + does.patience
     return waits + (pi - case.hand.open) / case.hand.finger_rate
 
 
@@ -222,6 +226,8 @@ def _mirrored(case: Case) -> bool:
     if not isinstance(case.object, Disk) or case.support.pressure_centre != (0.0, 0.0):
         return False
     if case.behaviour.name is BehaviourName.FOLLOW_POLICY:
+        return False
+    if case.behaviour.name is BehaviourName.TOUCH_DOWN and case.start.at[0] != 0.0:
         return False
     straight = case.behaviour.name not in ADVANCING or abs(case.behaviour.direction - 0.5 * pi) < 1e-9
     stretches = case.sensors.stretches(case.hand)

@@ -6,7 +6,7 @@ joint. Disks only; the finger is a uniform rod, or heavy without a mass.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import asin, atan2, hypot, inf, sqrt
 
 from palmar.errors import InputError, NotCoveredError
@@ -90,6 +90,15 @@ class ImpactNumbers:
     feedback: Feedback | None = None
     let_go: LetGo | None = None
     paddle: Paddle | None = None
+
+
+def told_by(case: Case, asked: Asked) -> Asked:
+    """With the stiffness of the case's contact and the lag of its drive, where they are not given and the case has them."""
+    stiffness = case.contact.stiffness if asked.stiffness is None else asked.stiffness
+    lag = asked.lag
+    if lag is None and case.hand.drive_lag > 0.0 and case.hand.finger_mass is not None and stiffness is not None:
+        lag = case.hand.drive_lag
+    return replace(asked, stiffness=stiffness, lag=lag)
 
 
 def impact_numbers(case: Case, asked: Asked) -> ImpactNumbers:

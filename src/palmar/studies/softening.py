@@ -25,13 +25,14 @@ from palmar.mechanics.impact.matched_return_4_3_2 import (
 
 @dataclass(frozen=True)
 class Feedback:
-    """Force gain below which the loop is stable, the lag (s) that allows the least, frequency (rad/s) at the limit; for a
-    ``gain`` asked about the ``growth`` (1/s; above 0 it is unstable) of an oscillation and the time (s) in which it doubles.
+    """Force gain below which the loop is stable (None: any is), the lag (s) that allows the least (None: there is none),
+    frequency (rad/s) at the limit; for a ``gain`` asked about the ``growth`` (1/s; above 0 it is unstable) of an
+    oscillation and the time (s) in which it doubles.
     """
 
-    gain_limit: float
-    worst_lag: float
-    hammering: float
+    gain_limit: float | None
+    worst_lag: float | None
+    hammering: float | None
     gain: float | None = None
     growth: float | None = None
     doubling: float | None = None
@@ -78,10 +79,12 @@ def feedback(finger: float, damper: float, stiffness: float, lag: float, gain: f
         roots = np.roots(characteristic_polynomial(gain, finger, damper, stiffness, lag))
         growth = float(roots.real.max())
         doubling = log(2.0) / growth if growth > 0.0 else None
-    return Feedback(
-        float(gain_limit(finger, damper, stiffness, lag)), float(worst_lag(finger, stiffness)),
-        float(hammering(finger, damper, stiffness, lag)), gain, growth, doubling,
+    limits = (
+        gain_limit(finger, damper, stiffness, lag), worst_lag(finger, damper, stiffness),
+        hammering(finger, damper, stiffness, lag),
     )  # fmt: skip
+    least, worst, beats = (float(each) if np.isfinite(each) else None for each in limits)
+    return Feedback(least, worst, beats, gain, growth, doubling)
 
 
 def letting_go(mass: float, freed: float, speed: float, stiffness: float, threshold: float, delay: float) -> LetGo:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.inertia import coasting, drift, inertia_ratio, rate_for
 from palmar.mechanics.pushing.toppling import nearest_edge, toppling_height
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
@@ -73,13 +74,15 @@ class Toppling:
 class Validity:
     """What must hold for the region to apply; ``offset`` only where asked for, ``uncovered`` says why a part is missing.
 
-    A free object neither slides nor topples: both are None. At rest it fares alike at any rate of the fingers.
+    A free object neither slides nor topples: both are None. ``alike_at_any_rate``: at rest it fares alike at any rate of
+    the fingers, for they keep it.
     """
 
     quasi_static: QuasiStatic | None
     toppling: Toppling | None
     offset: OffsetEffect | None = None
     uncovered: tuple[str, ...] = ()
+    alike_at_any_rate: bool = False
 
 
 def validity(
@@ -91,7 +94,7 @@ def validity(
     ``refused`` are what a question about the pressure's centre gave, or why it gave nothing.
     """
     if case.support.kind is SupportKind.FREE:
-        return Validity(None, None, offset, refused)
+        return Validity(None, None, offset, refused, case.behaviour.name is not BehaviourName.TOUCH_DOWN)
     table = _limits(case, ("support", "friction"), case.support.friction)
     plain = case.model_copy(update={"ranges": (), "support": case.support.model_copy(update={"friction": table[0]})})
     quasi_static, acceleration, uncovered = None, 0.0, list(refused)

@@ -74,6 +74,12 @@ class Trace:
         return tuple(found)
 
     @property
+    def peak_forces(self) -> tuple[float, float] | None:
+        """Largest force (N) on the right and the left finger; None of a world that tells none."""
+        told = [row.seen.forces for row in self.rows if row.seen.forces is not None]
+        return (max(each[0] for each in told), max(each[1] for each in told)) if told else None
+
+    @property
     def joints(self) -> tuple[Joints, Joints]:
         """Final joint angles (rad), right and left."""
         return self.rows[-1].seen.right, self.rows[-1].seen.left

@@ -82,7 +82,7 @@ PLACES = np.random.default_rng(0).uniform([0.0, 3.8], [20.0, 24.0], (3000, 2))
 
 def test_a_very_heavy_finger_is_the_same_whether_restored_or_not():
     plain = capture_all(HAND, PLACES).codes
-    for law in (ImpactLaw(1.0, 1e12), ImpactLaw(1.0, 1e12, 1.0)):
+    for law in (ImpactLaw(1.0, 1e12), ImpactLaw(1.0, 1e12, 1e14)):
         codes = capture_all(HAND, PLACES, law=law).codes
         assert (codes == plain).mean() > 0.995
 
@@ -130,8 +130,8 @@ def test_a_slowed_finger_is_back_at_its_rate_when_its_motor_has_made_up_for_the_
 
 def test_with_a_motor_every_start_is_decided_and_more_torque_comes_nearer_to_restored():
     inertia, codes = rod_inertia(4.0, 24.4), []
-    for torque in (100.0, 1e4, 1e7, inf):
-        found = capture_all(HAND, PLACES, law=ImpactLaw(1.0, inertia, torque), restitution=0.8, most_events=3000)
+    for torque in (100.0, 1e4, 1e5, inf):
+        found = capture_all(HAND, PLACES, law=ImpactLaw(1.0, inertia, torque), restitution=0.8)
         assert (found.codes == Outcome.UNDECIDED.code).mean() < 0.002
         codes.append(found.codes)
     alike = [(each == codes[-1]).mean() for each in codes[:-1]]

@@ -105,7 +105,7 @@ ELSEWHERE = (BehaviourName.FOLLOW_POLICY, BehaviourName.MATCH_VELOCITY, Behaviou
 
 
 def behaving(name: BehaviourName) -> Case:
-    move = f'[behaviour]\nname = "{name.value}"\nadvance_mm = 150\nspeed_mm_s = 50\n'
+    move = f'[behaviour]\nname = "{name.value}"\nadvance_mm = 150\nspeed_mm_s = 50\nfinger_acceleration_deg_s2 = 400\n'
     return parse_case(HAND + DISK + '[sensors]\nlayout = "distributed"\n' + move)
 
 

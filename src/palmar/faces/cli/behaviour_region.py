@@ -27,6 +27,7 @@ from palmar.faces.cli.behaviour_options import (
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
 from palmar.faces.cli.region_options import fineness
 from palmar.faces.cli.texts import region_text, titled
+from palmar.faces.cli.world_option import Physics, maker_of
 from palmar.faces.records import region_record
 from palmar.models.shipped import open_case
 
@@ -45,13 +46,14 @@ def region(
         int, Parameter(help="Of the tracker's errors, with each of which a start has to be caught; the same for all.")
     ] = 1,
     massive: Massive = None,
+    world: Physics = "planar",
     tick: Annotated[Number, Parameter(help="Time between two observations in ms.")] = "20",
     tolerance: Annotated[str | None, Parameter(help="In mm: how far starts may be apart at the boundary.")] = None,
     out: Annotated[Path | None, Parameter(help="Also write a file: svg, pdf, png, dxf, geojson, csv or json.")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
-    """From where a behaviour catches the object, by running it in the planar world from a grid of starts."""
+    """From where a behaviour catches the object, by running it in a world from a grid of starts."""
     from palmar.studies.behaviour_region import behaviour_region
     from palmar.studies.run_behaviour import Circumstances
 
@@ -67,7 +69,7 @@ def region(
     if not 1 <= draws <= MOST_DRAWS:
         raise InputError("--draws", str(draws), f"must be from 1 to {MOST_DRAWS}")
     seconds = 1e-3 * within("--tick", tick, 1.0, 1000.0)
-    circumstances = Circumstances(tick=seconds, massive=massive, tracker=tracker)
+    circumstances = Circumstances(tick=seconds, massive=massive, tracker=tracker, make=maker_of(world))
     finely = fineness(tolerance, given)
     shows = sys.stderr.isatty()
 

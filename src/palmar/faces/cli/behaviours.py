@@ -154,6 +154,9 @@ def _tell(name: str, done: BehaviourRun, out: Path | None, json: bool) -> None:
         f"{done.case.behaviour.name.value}: {trace.outcome.value}; the object ends at {place}.\n"
         f"The hand's own verdict: {done.verdict.value}. {_ENDED[trace.ended.value]}."
     )
+    if trace.peak_forces is not None:
+        right, left = trace.peak_forces
+        ended += f"\nLargest force on the left finger {left:.4g} N, on the right one {right:.4g} N."
     rows = [(f"{each.time:8.3f} s", each.kind.replace("_", " "), _short(each.what)) for each in trace.happenings]
     written = [f"Written: {out}"] if out is not None else []
     show(titled(name, done.case, ended, table(rows), *written), run_record(done), json)

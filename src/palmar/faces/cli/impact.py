@@ -30,11 +30,11 @@ def impact(
     case: CaseName,
     *,
     speed: Annotated[str | None, _option("Approach speed in mm/s; else the finger's at its rate.")] = None,
-    stiffness: Annotated[str | None, _option("Of the contact in N/mm.")] = None,
+    stiffness: Annotated[str | None, _option("Of the contact in N/mm; else the case's.")] = None,
     damping: Annotated[str | None, _option("Damping ratio; else that of the case's restitution.")] = None,
     force_limit: Annotated[str | None, _option("N: how soft the contact must be.")] = None,
     torque: Annotated[str | None, _option("N m: touch-down with full torque, then full counter-torque.")] = None,
-    lag: Annotated[str | None, _option("ms: of a drive that force is fed back to.")] = None,
+    lag: Annotated[str | None, _option("ms: of a drive that force is fed back to; else the case's.")] = None,
     gain: Annotated[
         str | None, _option("Of that feedback: whether it is stable, and how fast it grows if not.")
     ] = None,
@@ -49,7 +49,7 @@ def impact(
     json: AsJson = False,
 ) -> None:
     """Peak force and duration of a finger's impact, and what softens it: a pad, touch-down, letting go, a matched return."""
-    from palmar.studies.impact_numbers import Asked, impact_numbers
+    from palmar.studies.impact_numbers import Asked, impact_numbers, told_by
 
     asked = Asked(
         _above("--speed", speed, 1e-3), _above("--stiffness", stiffness, 1e3), _above("--damping", damping, 1.0, zero=True),
@@ -57,11 +57,12 @@ def impact(
         _above("--gain", gain, 1.0), _trigger(trigger), _above("--returned", returned, 1.0, zero=True),
         _above("--stroke", stroke, 1e-3), _above("--acceleration", acceleration, 1e-3),
     )  # fmt: skip
+    name, given = open_case(case)
+    asked = told_by(given, asked)
     if asked == Asked(asked.speed, damping=asked.damping):
         raise InputError(
             "palmar impact", None, "give at least one of --stiffness, --force-limit, --torque, --lag and --returned"
         )
-    name, given = open_case(case)
     found = impact_numbers(given, asked)
     show(titled(name, given, table(_rows(found))), _record(found), json)
 
@@ -113,11 +114,13 @@ def _rows(found: ImpactNumbers) -> list[Row]:
         ]
     if found.feedback is not None:
         back = found.feedback
-        rows += [
-            ("force gain", f"stable below {back.gain_limit:.4g}"),
-            ("  at the limit", f"hammers at {back.hammering / (2.0 * math.pi):.4g} Hz"),
-            ("  worst lag", f"{1e3 * back.worst_lag:.4g} ms"),
-        ]
+        rows.append(
+            ("force gain", "stable at any" if back.gain_limit is None else f"stable below {back.gain_limit:.4g}")
+        )
+        if back.hammering is not None:
+            rows.append(("  at the limit", f"hammers at {back.hammering / (2.0 * math.pi):.4g} Hz"))
+        if back.worst_lag is not None:
+            rows.append(("  worst lag", f"{1e3 * back.worst_lag:.4g} ms"))
         if back.gain is not None and back.growth is not None:
             grows = "dies out" if back.doubling is None else f"grows, doubling every {1e3 * back.doubling:.4g} ms"
             rows.append((f"  a gain of {back.gain:.4g}", f"{grows} ({back.growth:.4g} per s)"))

@@ -10,9 +10,10 @@ if TYPE_CHECKING:
     from palmar.worlds.world import WorldMaker
 
 Physics = Annotated[
-    Literal["planar", "mujoco", "bed"],
+    Literal["planar", "soft", "mujoco", "bed"],
     Parameter(
-        help="The physics: this project's kernels, or MuJoCo (the extra mujoco), there also with the test bed's servos."
+        help="The physics: this project's kernels; those with soft contacts of a free disk; or MuJoCo (the extra mujoco),"
+        " there also with the test bed's servos."
     ),
 ]
 
@@ -27,4 +28,8 @@ def maker_of(world: str) -> WorldMaker | None:
         from palmar.worlds.mujoco.world import bed_world
 
         return bed_world
+    if world == "soft":
+        from palmar.worlds.planar.soft import soft_world
+
+        return soft_world
     return None

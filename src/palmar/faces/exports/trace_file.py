@@ -22,6 +22,7 @@ NOTE = "# "
 """Begins the CSV's first lines: everything but the rows, as one line of JSON."""
 POSES = ("x_mm", "y_mm", "theta_deg")
 TRACK = ("track_x_mm", "track_y_mm", "track_vx_mm_s", "track_vy_mm_s")
+FORCES = ("force_left_N", "force_right_N", "moment_left_N_m", "moment_right_N_m")
 
 
 def known_ending(path: Path) -> None:
@@ -72,12 +73,15 @@ def _csv(record: dict[str, Any]) -> str:
     out = io.StringIO()
     out.write(NOTE + json.dumps({key: value for key, value in record.items() if key != "rows"}) + "\n")
     rows = record["rows"]
-    joints, tracked = range(len(rows[0]["right_rad"])), rows[0]["track"] is not None
+    joints, tracked, felt = (
+        range(len(rows[0]["right_rad"])),
+        *(rows[0][key] is not None for key in ("track", "force_N")),
+    )
     writer = csv.writer(out, lineterminator="\n")
     angles = [f"{side}_{k + 1}_deg" for side in ("right", "left") for k in joints]
     writer.writerow(
         ["t_s", *(f"arm_{each}" for each in POSES), *angles, *(f"object_{each}" for each in POSES),
-         *(TRACK if tracked else ()), "bits", "held_up", "why"]
+         *(TRACK if tracked else ()), *(FORCES if felt else ()), "bits", "held_up", "why"]
     )  # fmt: skip
     for row in rows:
         turned = [degrees(each) for each in (*row["right_rad"], *row["left_rad"])]
@@ -85,7 +89,8 @@ def _csv(record: dict[str, Any]) -> str:
         bits = (f"b{row[name]}" for name in ("bits", "held_up"))
         writer.writerow(
             [row["t_s"], *_to_file(row["arm"]), *turned, *_to_file(row["object"]),
-             *(1e3 * each for each in row["track"] or ()), *bits, record["reasons"][row["why"]]]
+             *(1e3 * each for each in row["track"] or ()), *(row["force_N"] or ()), *(row["moment_N_m"] or ()),
+             *bits, record["reasons"][row["why"]]]
         )  # fmt: skip
     return out.getvalue()
 
@@ -115,6 +120,8 @@ def _csv_row(row: dict[str, str], known: dict[str, int]) -> dict[str, Any]:
         "left_rad": joints("left"),
         "object": pose("object"),
         "track": [1e-3 * float(row[each]) for each in TRACK] if TRACK[0] in row else None,
+        "force_N": [float(row[each]) for each in FORCES[:2]] if FORCES[0] in row else None,
+        "moment_N_m": [float(row[each]) for each in FORCES[2:]] if FORCES[0] in row else None,
         "bits": row["bits"].removeprefix("b"),
         "held_up": row["held_up"].removeprefix("b"),
         "why": known[row["why"]],

@@ -21,7 +21,7 @@ from palmar.mechanics.impact.capture_run import capture_on
 from palmar.mechanics.impact.capture_state import IMPACTS, LOGGED, SPIN, VX, VY, Bench, T, X, Y, bench
 from palmar.mechanics.impact.collision import ImpactLaw
 from palmar.mechanics.impact.finger_motion import CaptureHand, Floats, turned
-from palmar.mechanics.impact.slowed import check_covered
+from palmar.mechanics.impact.slowed import covered
 from palmar.models.outcome import Outcome
 
 MOST_EVENTS = 20_000
@@ -60,10 +60,9 @@ def capture(
     most_events: int = MOST_EVENTS,
 ) -> tuple[Outcome, Floats, Floats]:  # fmt: skip
     """(outcome, end (7,), events (E, EVENT_WIDTH)) of one start; in the frame of the hand."""
-    check_covered(hand, law or ImpactLaw())
-    at = bench(hand, events)
+    known, at = covered(hand, law or ImpactLaw()), bench(hand, events)
     (x, y), (vx, vy) = np.asarray(position, float), np.asarray(velocity, float) - np.asarray(hand_velocity, float)
-    code = capture_on(hand, law or ImpactLaw(), at, x, y, vx, vy, float(spin), float(restitution), most_events)
+    code = capture_on(hand, known, at, x, y, vx, vy, float(spin), float(restitution), most_events)
     s = at.state
     return Outcome.from_code(code), s[[X, Y, VX, VY, SPIN, T, IMPACTS]].copy(), at.log[: int(s[LOGGED])].copy()
 
@@ -84,8 +83,7 @@ def capture_all(
     starts[:, 4] = spins
     es = np.ascontiguousarray(np.broadcast_to(np.asarray(restitution, dtype=float), len(places)))
     codes, ends = np.empty(len(places), np.int8), np.empty((len(places), END_WIDTH))
-    known = law or ImpactLaw()
-    check_covered(hand, known)
+    known = covered(hand, law or ImpactLaw())
 
     def part(first: int) -> None:
         some = slice(first, first + ROWS_PER_TASK)

@@ -10,6 +10,7 @@ from palmar.errors import NotCoveredError
 from palmar.mechanics.impact.capture_hand import closing_hand, programmed_hand
 from palmar.mechanics.impact.collision import ImpactLaw, rod_inertia
 from palmar.mechanics.impact.finger_motion import CaptureHand
+from palmar.mechanics.impact.touch_down_case import touch_down_programme
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.hand import Fingers
@@ -30,6 +31,8 @@ def capture_hand_of(case: Case) -> CaptureHand:
     hand = case.hand
     if case.behaviour.name in JOINTED_CLOSING:
         return _jointed(case, case.object.radius)
+    if case.behaviour.name is BehaviourName.TOUCH_DOWN:
+        return _touching_down(case, case.object.radius)
     return closing_hand(
         hand.half_palm, [hand.finger_length], case.object.radius, hand.half_thickness, first=hand.open,
         rate=hand.finger_rate, limit=hand.base_limits[1], colliding=hand.fingers is Fingers.COLLIDING,
@@ -52,6 +55,15 @@ def _jointed(case: Case, radius: float) -> CaptureHand:
     return programmed_hand(
         hand.half_palm, hand.finger_links, radius, hand.half_thickness, np.array([[hand.open, 0.0]] * 2),
         programme if bend > 0.0 else programme[1:], limit=hand.base_limits[1], colliding=colliding,
+    )  # fmt: skip
+
+
+def _touching_down(case: Case, radius: float) -> CaptureHand:
+    hand = case.hand
+    programme = [(duration, np.array(rates)[:, None]) for duration, rates in touch_down_programme(case)]
+    return programmed_hand(
+        hand.half_palm, [hand.finger_length], radius, hand.half_thickness, np.full((2, 1), hand.open), programme,
+        limit=hand.base_limits[1], colliding=hand.fingers is Fingers.COLLIDING,
     )  # fmt: skip
 
 

@@ -39,7 +39,7 @@ from palmar.mechanics.impact.finger_motion import CaptureHand, begin_phase
 from palmar.mechanics.impact.holding import fastest_rate, follow_held, foot_within
 from palmar.mechanics.impact.next_contact import NOTHING, SKIN, next_contact
 from palmar.mechanics.impact.settling import look, pressed_from_all_sides, settle, still_between
-from palmar.mechanics.impact.slowed import change_own, is_wall, own_until, shut, shut_now, slow_down
+from palmar.mechanics.impact.slowed import change_own, is_wall, own_until, shut, slow_down, stays_shut
 from palmar.models.outcome import Outcome
 
 CAGED, STRUCTURAL, JAMMED = Outcome.CAGED.code, Outcome.STRUCTURAL.code, Outcome.JAMMED.code
@@ -52,6 +52,8 @@ AT_ONCE, NEAR = 1e-13, 1e-9
 """Part of the time so far that is no time; gap, in reaches, of contacts that then count as touching."""
 MOST_CHANGES = 100
 """Of the motion of fingers that nothing strikes any more: a few each."""
+CRAWL = 1e-2
+"""Speed, in reaches times the largest rate, of impacts that stand for sustained contact with fingers of limited torque."""
 SLOW = 1e-12
 """Speed, in reaches times the largest rate, that is rest once all fingers rest."""
 
@@ -80,12 +82,19 @@ def overlaps(hand: CaptureHand, at: Bench, skin: float) -> bool:
 
 @compiled
 def strike(
-    hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, body: int, feature: int, side: int, reach: float
+    hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, body: int, feature: int, side: int, reach: float, crawl: float
 ) -> None:  # fmt: skip
-    """The impact of the disk on a contact, and the mode after it."""
+    """The impact of the disk on a contact, and the mode after it.
+
+    A finger that a disk slows must feel it in sustained contact, too. There hops that do not die out stand for that: an
+    impact slower than ``crawl`` (m/s) is elastic, and gives half of that at least.
+    """
     s = at.state
     nx, ny, wx, wy, arm = wall_at(hand, at.fingers, body, feature, float(side), s[T], s[X], s[Y])
     vx, vy, spin = s[VX], s[VY], s[SPIN]
+    approach = (wx - vx) * nx + (wy - vy) * ny
+    if 0.0 < approach < crawl:
+        e = max(1.0, 0.5 * crawl / approach)
     arm = 0.0 if is_wall(hand, at, body) else arm
     s[VX], s[VY], s[SPIN], change = after_impact(law, e, hand.radius, nx, ny, wx, wy, arm, vx, vy, spin)
     slow_down(hand, law, at, body, change)
@@ -93,7 +102,7 @@ def strike(
     note(at, IMPACT, body, feature, vx, vy, spin)
     _, _, wx, wy, _ = wall_at(hand, at.fingers, body, feature, float(side), s[T], s[X], s[Y])
     parting = (s[VX] - wx) * nx + (s[VY] - wy) * ny
-    e = effective_restitution(law, e, arm) if law.torque == inf else e
+    e = effective_restitution(law, e, arm) if law.torque == inf else 1.0
     settle(hand, at, e, parting, body, law.friction > 0.0, reach)
     if s[MODE] != FLIGHT:
         b, what, _ = held(at, 0)
@@ -188,7 +197,8 @@ def run(hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, most_events: int
     s, last, frictional, limited = at.state, len(hand.times) - 1, law.friction > 0.0, law.torque < inf
     if shut(hand, law, at):
         return CAGED
-    settle(hand, at, e, 0.0, -1, frictional, reach)
+    settle(hand, at, 1.0 if limited else e, 0.0, -1, frictional, reach)
+    crawl = CRAWL * reach * fastest if limited else 0.0
     since, at_once, b1, f1, s1, is_shut = s[T], 0, -1, 0, 0, False
     for _ in range(most_events):
         ends = hand.times[int(s[PHASE]) + 1] if s[PHASE] < last else inf
@@ -207,20 +217,20 @@ def run(hand: CaptureHand, law: ImpactLaw, at: Bench, e: float, most_events: int
                 note(at, LEAVES, b, what, s[VX], s[VY], s[SPIN])
                 continue
         if body >= 0:
-            strike(hand, law, at, e, body, feature, side, reach)
+            strike(hand, law, at, e, body, feature, side, reach, crawl)
             at_once = at_once + 1 if s[T] - since <= AT_ONCE * s[T] else 0
             if at_once > MOST_AT_ONCE:
                 code, at_once = _pressed(hand, at, reach), 0
                 if code >= 0:
                     return code
-                if e < 1.0 and b1 >= 0 and (b1 != body or f1 != feature):
+                if e < 1.0 and not limited and b1 >= 0 and (b1 != body or f1 != feature):
                     still_between(hand, at, e, frictional, reach, b1, f1, s1, body, feature, side)
             since, b1, f1, s1 = s[T], body, feature, side
         elif body == NOTHING and s[T] >= until:
             is_shut = _next_stretch(hand, law, at, until == ends)
             if s[MODE] != FLIGHT and not is_shut:
                 settle(hand, at, e, 0.0, held(at, 0)[0], frictional, reach)
-        if is_shut or (limited and shut_now(hand, at)):
+        if is_shut or (limited and stays_shut(hand, law, at)):
             note(at, SHUTS, -1, 0, s[VX], s[VY], s[SPIN])
             return CAGED
     return UNDECIDED

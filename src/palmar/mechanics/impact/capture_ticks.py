@@ -101,7 +101,7 @@ def carry_until(
                 note(at, LEAVES, b, what, s[VX], s[VY], s[SPIN])
                 continue
         if body >= 0:
-            strike(hand, law, at, e, body, feature, side, reach)
+            strike(hand, law, at, e, body, feature, side, reach, 0.0)
             at_once = at_once + 1 if s[T] - since <= AT_ONCE * s[T] else 0
             if at_once > MOST_AT_ONCE:
                 at_once = 0

@@ -14,7 +14,7 @@ struck on its line the tangential one has no moment about its base: Poisson's an
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, nan
 from typing import NamedTuple
 
 from palmar.mechanics.compiled import compiled
@@ -24,13 +24,15 @@ class ImpactLaw(NamedTuple):
     """What impacts depend on besides the restitution; kg, kg m^2, N m.
 
     ``finger_inertia`` about the base joint: inf = too heavy to be slowed. ``torque`` of the motor that brings a slowed
-    finger back to its rate: inf = at once.
+    finger back to its rate: inf = at once. ``widest``: of a hand with such motors, a bound on the sum of both base angles
+    (rad) at which the disk finds a gap between the fingers; NaN = to be found (``reopening``).
     """
 
     mass: float = 1.0
     finger_inertia: float = inf
     torque: float = inf
     friction: float = 0.0
+    widest: float = nan
 
 
 def rod_inertia(mass: float, length: float) -> float:

@@ -3,18 +3,22 @@
 After an impact the finger turns freely but for its motor, whose constant torque takes it to the commanded rate, which it
 then keeps; it ends, and is a wall, where its travel ends, and turns back no farther than its start. Between two of these
 changes it accelerates uniformly, so the search for contacts needs no more than the acceleration in its bounds.
+
+A loop that such fingers have shut about the disk may be pried open again. It is shut for good once the energy of disk and
+fingers is less than the motors take for every way to open it (``reopening``).
 """
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import inf, isnan, sqrt
 
 from palmar.errors import NotCoveredError
 from palmar.mechanics.compiled import compiled
-from palmar.mechanics.impact.capture_state import OWN, PHASE, Bench, T, X, Y
+from palmar.mechanics.impact.capture_state import OWN, PHASE, SPIN, VX, VY, Bench, T, X, Y
 from palmar.mechanics.impact.collision import ImpactLaw
 from palmar.mechanics.impact.enclosed import enclosed_for_good, enclosed_now
 from palmar.mechanics.impact.finger_motion import ANGLE, FASTER, RATE, SINCE, CaptureHand, begin_finger, turned
+from palmar.mechanics.impact.reopening import widest_gap
 
 PRESCRIBED, FREE, ENDED = 0.0, 1.0, 2.0
 """state[OWN + finger]: it moves as the hand prescribes, by itself, or has come to its end."""
@@ -22,16 +26,23 @@ AT_STOP = 1e-12
 """Angle (rad) from a stop that is at it."""
 
 
-def check_covered(hand: CaptureHand, law: ImpactLaw) -> None:
-    """Raise NotCoveredError where a finite motor torque, or friction with a finite inertia, is not modelled."""
+def covered(hand: CaptureHand, law: ImpactLaw) -> ImpactLaw:
+    """The law with all that a hand's limited motors need.
+
+    Raises NotCoveredError where a finite motor torque, or friction with a finite inertia, is not modelled.
+    """
     if law.finger_inertia == inf:
-        return
+        return law
     if law.friction > 0.0 and hand.half_thickness > 0.0:
         raise NotCoveredError("friction on thick fingers that can be slowed: the tangential impulse would turn them")
     if law.torque != inf:
         rates = hand.rates[hand.rates != 0.0]
         if len(hand.lengths) > 1 or (len(rates) and (rates.min() <= 0.0 or rates.max() > rates.min())):
             raise NotCoveredError("a limited motor torque: only for one straight link a finger and one closing rate")
+        if isnan(law.widest):
+            size = hand.radius + hand.half_thickness
+            return law._replace(widest=widest_gap(hand.half_palm, float(hand.lengths[0]), size))
+    return law
 
 
 @compiled
@@ -115,23 +126,30 @@ def is_wall(hand: CaptureHand, at: Bench, body: int) -> bool:
 
 @compiled
 def shut(hand: CaptureHand, law: ImpactLaw, at: Bench) -> bool:
-    """Take up the phase that has begun; whether the disk is enclosed: for good, or, a finger going by itself, now."""
-    s, own = at.state, False
+    """Take up the phase that has begun; whether the disk is enclosed for good."""
+    s = at.state
     for f in range(2):
         if s[OWN + f] == PRESCRIBED:
             begin_finger(hand, int(s[PHASE]), f, at.fingers)
-        else:
-            own = True
-            if s[OWN + f] == FREE:
-                angle, rate = turned(at.fingers[f], 0, s[T])
-                aim(hand, law, at, f, angle, rate)
-    return shut_now(hand, at) if own else enclosed_for_good(hand, at.fingers, s[T], s[X], s[Y], at.chain)
+        elif s[OWN + f] == FREE:
+            angle, rate = turned(at.fingers[f], 0, s[T])
+            aim(hand, law, at, f, angle, rate)
+    if law.torque < inf:
+        return stays_shut(hand, law, at)
+    return enclosed_for_good(hand, at.fingers, s[T], s[X], s[Y], at.chain)
 
 
 @compiled
-def shut_now(hand: CaptureHand, at: Bench) -> bool:
-    """Whether a finger goes by itself and the disk is in a loop that is shut now."""
-    s = at.state
-    if s[OWN] == PRESCRIBED and s[OWN + 1] == PRESCRIBED:
+def stays_shut(hand: CaptureHand, law: ImpactLaw, at: Bench) -> bool:
+    """Whether the disk is in a loop that is shut now and that nothing has the energy to open again (``reopening``)."""
+    s, sum_of_angles, energy = at.state, 0.0, 0.0
+    for f in range(2):
+        angle, rate = turned(at.fingers[f], 0, s[T])
+        sum_of_angles += angle
+        energy += 0.5 * law.finger_inertia * rate * rate
+    if sum_of_angles <= law.widest:
+        return False
+    energy += 0.5 * law.mass * (s[VX] * s[VX] + s[VY] * s[VY] + 0.5 * hand.radius * hand.radius * s[SPIN] * s[SPIN])
+    if energy >= law.torque * (sum_of_angles - law.widest):
         return False
     return enclosed_now(hand, at.fingers, s[T], s[X], s[Y], at.chain)

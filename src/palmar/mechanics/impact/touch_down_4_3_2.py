@@ -5,17 +5,20 @@ w1 in the least time. It accelerates at a = T / I up to a switch and decelerates
 
     peak^2 = a A + (w0^2 + w1^2) / 2,    switch after (peak^2 - w0^2) / (2 a),
 
-from the initial rate w0 >= 0. The object is taken to stand still. Functions broadcast; rad, rad/s, s, N m, kg m^2.
+from the initial rate w0 >= 0. The object is taken to stand still. Functions of arrays broadcast; rad, rad/s, s, N m, kg m^2.
 """
 
 from __future__ import annotations
 
+from math import inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+Row = tuple[float, tuple[float, float]]
+"""Duration (s) and rates (rad/s) of the right and the left finger."""
 
 
 class TouchDown(NamedTuple):
@@ -65,3 +68,48 @@ def rate_at(
 
 def _together(*values: ArrayLike) -> tuple[Floats, ...]:
     return np.broadcast_arrays(*(np.asarray(each, dtype=float) for each in values))
+
+
+def ramps(angle: float, arrival: float, acceleration: float, most: float, pieces: int) -> list[tuple[float, float]]:
+    """(duration, rate) of pieces over ``angle`` from rest to ``arrival``, no faster than ``most``; then on at ``arrival``.
+
+    A motor that turns at ``most`` at best coasts between speeding up and slowing down. Each ramp is as many pieces of
+    constant rate, which meet it at their ends. On a way too short to reach ``arrival`` it speeds up all along.
+    """
+    last = min(arrival, most)
+    if angle <= 0.0:
+        return [(inf, last)]
+    end = min(last, sqrt(2.0 * acceleration * angle))
+    peak = min(most, max(sqrt(acceleration * angle + 0.5 * end**2), end))
+    up, down = peak**2 / (2.0 * acceleration), (peak**2 - end**2) / (2.0 * acceleration)
+    found = _ramp(0.0, peak, acceleration, pieces)
+    if angle - up - down > 1e-12 * angle:
+        found.append(((angle - up - down) / peak, peak))
+    if peak > end:
+        found += _ramp(peak, end, acceleration, pieces)
+    return [*found, (inf, last)]
+
+
+def _ramp(before: float, after: float, acceleration: float, pieces: int) -> list[tuple[float, float]]:
+    each = abs(after - before) / acceleration / pieces
+    return [(each, before + (after - before) * (k + 0.5) / pieces) for k in range(pieces)]
+
+
+def together(right: list[tuple[float, float]], left: list[tuple[float, float]]) -> list[Row]:
+    """Both fingers' pieces as one programme; each ends with an endless piece."""
+    rows: list[Row] = []
+    (a, one), (b, other) = right[0], left[0]
+    i = j = 0
+    while True:
+        part = min(a, b)
+        if part > 0.0:
+            rows.append((part, (one, other)))
+        if part == inf:
+            return rows
+        a, b = a - part, b - part
+        if a <= 0.0:
+            i += 1
+            a, one = right[i]
+        if b <= 0.0:
+            j += 1
+            b, other = left[j]

@@ -8,11 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
-from palmar.mechanics.impact.capture_case import capture_hand_of
-from palmar.mechanics.impact.enclosed import enclosed_now
-from palmar.mechanics.impact.finger_motion import ANGLE, FINGER_WIDTH, CaptureHand
 from palmar.mechanics.pushing.closing_motion import TOUCHED, bench
 from palmar.mechanics.pushing.closing_steps import TOLERANCE
 from palmar.mechanics.pushing.polygon_contacts import scale_of
@@ -23,6 +18,7 @@ from palmar.models.support import SupportKind
 from palmar.worlds.mujoco.scene import STRENGTH, Scene
 from palmar.worlds.planar.carriage import NEAR as NEAR_IN_TOUCHES
 from palmar.worlds.planar.carriage import Carriage, Touch
+from palmar.worlds.planar.enclosure import Enclosure, enclosure_of
 
 Both = tuple[Joints, Joints]
 Place = tuple[float, float, float]
@@ -64,16 +60,13 @@ class Judge:
 class FreeJudge(Judge):
     """Of free disks: by whether the hand encloses them."""
 
-    hand: CaptureHand
+    enclosure: Enclosure
 
     def decided(self, angles: Both) -> bool:
         """Whether the centre is in a loop of the hand; fingers that go on closing do not open it again."""
-        count = len(self.hand.lengths)
-        fingers, chain = np.zeros((2, FINGER_WIDTH)), np.zeros((2 * count + 2, 2))
-        fingers[:, ANGLE : ANGLE + count] = np.cumsum(angles, axis=1)
         x, y, _ = self.carriage.place
         ax, ay = self.carriage.arm
-        return bool(enclosed_now(self.hand, fingers, 0.0, x - ax, y - ay, chain))
+        return self.enclosure.shut(angles, x - ax, y - ay)
 
     def outcome(self, angles: Both, gripped: tuple[bool, bool], touched: bool) -> Outcome:
         """Enclosed, struck, or neither."""
@@ -91,6 +84,4 @@ def judge_of(scene: Scene, place: Place) -> Judge:
     carriage = Carriage(scene.case.hand, body, bench(0), scale, place)
     if not free:
         return Judge(carriage)
-    hand, links = capture_hand_of(scene.case), np.array(scene.case.hand.finger_links)
-    still = np.zeros((1, 2, len(links)))
-    return FreeJudge(carriage, hand._replace(lengths=links, angles=still, rates=still))
+    return FreeJudge(carriage, enclosure_of(scene.case))
