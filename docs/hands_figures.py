@@ -13,7 +13,7 @@ from palmar.faces.plots.style import Role
 from palmar.faces.plots.style import save as write_picture
 from palmar.models.case import Case
 from palmar.models.shipped import open_case
-from palmar.studies.jointed_closure import jointed_closure, largest_stance
+from palmar.studies.jointed_closure import coupling_of, jointed_closure, largest_stance
 
 HERE = Path(__file__).resolve().parent
 HANDS = {
@@ -31,18 +31,20 @@ HANDS = {
 def rows(case: Case) -> tuple[str, ...]:
     """Diameters (mm) held without friction and with it, by bent and by straight fingers, and without joint limits."""
     answer = jointed_closure(case)
-    free = case.hand.model_copy(update={"joint_limits": None})
+    free = case.hand.model_copy(update={"joint_limits": None})  # and nothing coupled
     unlimited = largest_stance(free, 0.0)
     assert unlimited is not None
     ranges = (answer.structural, answer.frictional, *answer.straight)
     said = [f"{2e3 * r.radius_min:.0f} to {2e3 * r.radius_max:.0f}" if r else "none" for r in ranges]
+    said[2:] = ["coupled"] * 2 if answer.coupled else said[2:]
     return (*said, f"{2e3 * unlimited.radius:.0f}")
 
 
 def picture() -> None:
     """All hands to one scale, each with the largest disk it holds without friction."""
-    found = {name: open_case(name)[1].hand for name in HANDS}
-    stances = {name: largest_stance(hand, 0.0) for name, hand in found.items()}
+    cases = {name: open_case(name)[1] for name in HANDS}
+    found = {name: case.hand for name, case in cases.items()}
+    stances = {name: largest_stance(case.hand, 0.0, coupling_of(case)) for name, case in cases.items()}
     names = list(HANDS)
     layout = [names[:4], names[4:]]
     extents = [[stance_extent(found[name], stances[name]) for name in row] for row in layout]

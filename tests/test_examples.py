@@ -12,6 +12,7 @@ PRINTED = {
     "03_feel_the_way.py": "380 mm: 2",
     "04_zero_gravity.py": "restitution 1.0: 102 mm at rest, or 32 mm/s",
     "05_four_joints.py": "radii up to 177.5 mm",
+    "06_how_to_close.py": "curl first, curled by 50 deg: 35 % more",
 }
 
 

@@ -21,7 +21,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import MultiPolygon
 
-from palmar.geometry.planar_set import areal
+from palmar.geometry.planar_set import areal, uniform_places
 from palmar.geometry.straight_finger import last_angle
 from palmar.mechanics.closure.disk_2_2 import frictional_radii, structural_radii
 from palmar.mechanics.pushing.certified_start import CAUGHT, LOST, certify_all
@@ -44,17 +44,6 @@ from palmar.regions.pushed_core import pushed_core
 
 Floats = NDArray[np.float64]
 HANDS, SEED = 20, 20261126
-
-
-def starts_in(area: MultiPolygon, count: int, rng: np.random.Generator) -> Floats:
-    """Uniform starts in a set, by rejection from its bounding box."""
-    left, low, right, high = area.bounds
-    found: list[Floats] = []
-    shapely.prepare(area)
-    while sum(map(len, found)) < count:
-        tried = np.column_stack([rng.uniform(left, right, count), rng.uniform(low, high, count)])
-        found.append(tried[shapely.contains_xy(area, tried)])
-    return np.concatenate(found)[:count]
 
 
 def random_hand(rng: np.random.Generator, number: int) -> ClosingHand:
@@ -92,9 +81,9 @@ def disks(starts: int) -> int:
             sets = exact_sets(hand, tables, 1e-5)
             spent = time.perf_counter() - begin
         reach = hand.half_palm + 1.0 + hand.radius
-        inside = starts_in(sets.centre, starts, rng)
+        inside = uniform_places(sets.centre, starts, rng)
         box = shapely.box(-reach, hand.radius, reach, 1.0 + 2.0 * hand.radius)
-        outside = starts_in(MultiPolygon([box]) - sets.outer.buffer(1e-9), starts, rng)
+        outside = uniform_places(MultiPolygon([box]) - sets.outer.buffer(1e-9), starts, rng)
         lost = int((close_disk(hand, surface, inside, tables).codes > Outcome.CAGED.code).sum())
         caught = int((close_disk(hand, surface, outside, tables).codes <= Outcome.CAGED.code).sum())
         wrong += lost + caught
@@ -149,7 +138,7 @@ def polygons(starts: int) -> int:
                 counts.append(0)
                 continue
             number = starts if area is not core else starts // 10
-            poses = np.column_stack([starts_in(area, number, rng), np.full(number, theta)])
+            poses = np.column_stack([uniform_places(area, number, rng), np.full(number, theta)])
             caught = carry_all(motion, body, poses)[0] <= Outcome.CAGED.code
             counts.append(int((caught != good).sum()))
         wrong += sum(counts)
@@ -207,7 +196,7 @@ def certified(starts: int) -> int:
         for whole, good in ((sets.inner, True), (box, False)):
             near = areal(whole & band)
             some = np.concatenate(
-                [starts_in(areal(whole), starts // 2, rng), starts_in(near, starts - starts // 2, rng)]
+                [uniform_places(areal(whole), starts // 2, rng), uniform_places(near, starts - starts // 2, rng)]
             )
             codes = carry_all(motion, body, some)[0]
             told = (codes != Outcome.INVALID.code) & (codes != Outcome.UNDECIDED.code)

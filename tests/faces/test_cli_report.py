@@ -1,13 +1,29 @@
 """`palmar report`, `palmar cases`, `palmar figures`: pages and lists."""
 
+import math
 import re
 
 import pytest
 
 from palmar.models.case_file import parse_case
 from palmar.models.shipped import shipped_names
+from palmar.studies import report
+from palmar.studies.strategies import Effort
 
-OF_EACH_KIND = ("testbed_table", "testbed_free", "adaptive_hand", "disk_on_a_wall", "chapter2_example", "kinova_kg_3")
+OF_EACH_KIND = (
+    "testbed_table",
+    "testbed_free",
+    "adaptive_hand",
+    "disk_on_a_wall",
+    "chapter2_example",
+    "barrett_bh8_282",
+)
+
+
+@pytest.fixture(autouse=True)
+def hasty(monkeypatch):
+    """Strategies by a search of one angle and one ratio, on coarse grids."""
+    monkeypatch.setattr(report, "QUICK", Effort((0.4,), (0.5,), 1 / 10, 0, told=1 / 10, counted=True))
 
 
 @pytest.mark.parametrize("name", OF_EACH_KIND)
@@ -23,6 +39,20 @@ def test_a_case_of_each_kind_gives_one_self_contained_page(palmar, tmp_path, nam
     assert "radii held without friction" in answer.out
     assert "None" not in answer.out
     assert "nan" not in answer.out
+    if name in ("testbed_table", "testbed_free"):
+        told = html.index("How should two joints a finger close?")
+        assert told < html.index("Searched: the angle to", told) < html.index("This is a quick search", told)
+        best = {"testbed_table": "no rolling (curled by 20.3 deg)", "testbed_free": "curl first (curled by 22.9 deg)"}
+        assert f"The largest region: {best[name]}" in html
+        theory = {"testbed_table": "Curled by 20.31 deg", "testbed_free": "Curled by 116.8 to 140.4 deg"}
+        assert theory[name] in html and theory[name] in answer.out
+    elif name == "barrett_bh8_282":
+        assert "No comparison: behaviour.bend_deg: strategies are for joints that move one by one" in html
+        assert "kept straight" not in html.lower()
+    elif name in ("adaptive_hand", "disk_on_a_wall"):
+        assert "No comparison: strategies are for disks, plain numbers, and a table without a wall" in html
+    else:
+        assert "How should two joints" not in html
 
 
 def test_the_report_as_json(palmar, tmp_path):
@@ -34,6 +64,12 @@ def test_the_report_as_json(palmar, tmp_path):
     assert page.index("Held without friction by proximal links") < page.index("With the fingers kept straight")
     assert [each["closure"] for each in record["regions"]] == ["structural", "frictional"]
     assert record["page"].endswith("testbed_table.html")
+    areas = {each["name"]: each["area_m2"] for each in record["closings"]["strategies"]}
+    assert record["closings"]["best"] in ("curl first", "no rolling")
+    assert areas["straight"] < areas["coupled"] < areas["curl first"]
+    search = {each["name"]: each["search"] for each in record["closings"]["strategies"]}
+    assert search["straight"] is None and search["coupled"]["spacing_m"] == pytest.approx(0.0244)
+    assert math.degrees(record["closings"]["preshape"]["angle_rad"]) == pytest.approx(20.31, abs=0.01)
 
 
 def test_a_folder_that_cannot_be_made_is_one_line(palmar, tmp_path):

@@ -72,9 +72,8 @@ def test_bad_input_is_one_line(palmar, words: list[str], said: str) -> None:
 
 
 def test_strategies_side_by_side(palmar, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(strategies, "ANGLES", (0.5, 1.0))
-    monkeypatch.setattr(strategies, "RATIOS", (0.5, 1.0))
-    monkeypatch.setattr(strategies, "ROUNDS", 1)
+    effort = strategies.Effort((0.5, 0.75), (0.5, 0.75), 1 / 12, 0, told=1 / 16, counted=True)
+    monkeypatch.setattr(strategies, "CAREFUL", effort)
     case, file = tmp_path / "case.toml", tmp_path / "strategies.png"
     case.write_text(FRICTIONLESS)
     answer = palmar("strategies", str(case), "--out", str(file), "--json")
@@ -83,8 +82,9 @@ def test_strategies_side_by_side(palmar, tmp_path: Path, monkeypatch: pytest.Mon
     assert record["best"] == "curl first"
     areas = {name: each["area_m2"] for name, each in found.items()}
     assert areas["centrifugal"] < areas["straight"] < areas["coupled"] < areas["curl first"]
-    assert found["curl first"]["preshape_rad"] in (0.5, 0.75, 1.0)
-    assert found["coupled"]["ratio"] in (0.5, 0.75, 1.0)
+    assert found["curl first"]["preshape_rad"] in (0.5, 0.75)
+    assert found["curl first"]["search"] == {"step_rad": 0.25, "spacing_m": pytest.approx(0.244 / 12)}
+    assert found["coupled"]["ratio"] in (0.5, 0.75)
     assert found["straight"]["preshape_rad"] is None
     with Image.open(file) as picture:
         assert picture.size[0] > 1000

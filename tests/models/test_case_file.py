@@ -285,3 +285,25 @@ def test_a_wall_is_no_nearer_than_the_open_fingers_reach() -> None:
         parse_case(text + "wall_mm = 243", "x")
     with pytest.raises(InputError, match="wall_mm"):
         parse_case(text + "wall_mm = -1", "x")
+
+
+def test_a_bend_beyond_the_distal_joint_s_limits_is_refused():
+    text = """
+        [hand]
+        palm_width_mm = 60
+        finger_links_mm = [50, 40]
+        joint_limits_deg = [[0, 120], [-5, 90]]
+        [object]
+        radius_mm = 20
+        [behaviour]
+        name = "close_coupled"
+        ratio = -1
+        bend_deg = 41
+    """
+    case = parse_case(text)
+    assert case.behaviour.ratio == -1.0 and case.open_joints == (0.0, pytest.approx(math.radians(41.0)))
+    assert parse_case(dump_case(case)) == case
+    with pytest.raises(InputError, match="bend_deg must lie within the distal joint's limits, -5 to 90"):
+        parse_case(text.replace("bend_deg = 41", "bend_deg = -6"))
+    straight = parse_case(text.replace("close_coupled", "curl_and_close").replace("bend_deg = 41", "bend_deg = 100"))
+    assert straight.open_joints == (0.0, 0.0)

@@ -27,8 +27,7 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 TINY = 1e-10
-GOLDEN = (5.0**0.5 - 1.0) / 2.0
-GOLDEN_STEPS, HALVINGS, NODES = 60, 50, 160
+MAXIMUM_HALVINGS, HALVINGS, NODES = 42, 50, 160
 AT_ONCE = 400
 EVENLY = np.linspace(0.0, 1.0, NODES + 1)
 FAR = -10.0
@@ -161,7 +160,7 @@ def scanned(margin: Callable[[Hands, Floats], Floats], hands: Hands, shares: Flo
     item, node = np.nonzero(peaks & (values != FAR))
     some = hands.at(item)
     low, high = shares[item, np.maximum(node - 1, 0)], shares[item, np.minimum(node + 1, shares.shape[1] - 1)]
-    np.maximum.at(best, item, golden_maximum(lambda share: margin(some, share), low, high))
+    np.maximum.at(best, item, halved_maximum(lambda share: margin(some, share), low, high))
     return best > TINY
 
 
@@ -183,19 +182,17 @@ def distal_proximal(hands: Hands) -> Bools:
     return scanned(distal_proximal_margin, hands, np.broadcast_to(EVENLY, (hands.radius.size, NODES + 1)))
 
 
-def golden_maximum(function: Callable[[Floats], Floats], low: Floats, high: Floats) -> Floats:
-    """Largest value met by a golden section search."""
-    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_left, at_right = function(left), function(right)
-    best = np.maximum(at_left, at_right)
-    for _ in range(GOLDEN_STEPS):
-        falls = at_left > at_right
-        low, high = np.where(falls, low, left), np.where(falls, right, high)
-        fresh = np.where(falls, high - GOLDEN * (high - low), low + GOLDEN * (high - low))
-        value = function(fresh)
-        left, right = np.where(falls, fresh, right), np.where(falls, left, fresh)
-        at_left, at_right = np.where(falls, value, at_right), np.where(falls, at_left, value)
-        best = np.maximum(best, value)
+def halved_maximum(function: Callable[[Floats], Floats], low: Floats, high: Floats) -> Floats:
+    """Largest value met by interval halving: of three places a quarter apart the best becomes the next middle."""
+    middle, width = 0.5 * (low + high), 0.25 * (high - low)
+    at_middle = function(middle)
+    best = at_middle
+    for _ in range(MAXIMUM_HALVINGS):
+        places = np.stack([middle, middle - width, middle + width])
+        values = np.stack([at_middle, function(places[1]), function(places[2])])
+        choice = values.argmax(axis=0)[None]
+        middle, at_middle = (np.take_along_axis(each, choice, 0)[0] for each in (places, values))
+        best, width = np.maximum(best, at_middle), 0.5 * width
     return best
 
 

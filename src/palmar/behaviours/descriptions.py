@@ -63,9 +63,9 @@ DESCRIPTIONS: dict[BehaviourName, Description] = {
     ),
     BehaviourName.CLOSE_COUPLED: Description(
         "Close base and distal joints together.",
-        ("The base joints close at the finger rate, the distal joints at the ratio times that.",
+        ("The base joints close at the finger rate, the distal joints from their bend at the ratio times that.",
          "End when both fingers are held up."),
-        ("ratio",), "fingers of two links", "5.3.1",
+        ("ratio", "bend"), "fingers of two links", "5.3.1",
     ),
     BehaviourName.TOUCH_DOWN: Description(
         "Turn fast, slow down to touch a standing disk at a low rate, and close on at that rate.",

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from palmar.faces.records import changes_record, slopes_record
 from palmar.mechanics.closure.stance import Stance
 from palmar.models.hand import Hand
 from palmar.studies.closure import RadiusRange
 from palmar.studies.closure_map import ClosureMap
-from palmar.studies.jointed_closure import Intervals, JointedClosure, carriers
+from palmar.studies.jointed_closure import JointedClosure
+from palmar.studies.jointed_reason import Intervals, carriers
 
 
 def jointed_record(hand: Hand, result: JointedClosure) -> dict[str, Any]:
@@ -21,8 +23,8 @@ def jointed_record(hand: Hand, result: JointedClosure) -> dict[str, Any]:
         "cases": {name: _case(known) for name, known in result.cases.items()},
         "largest": _hold(hand, result.largest[1]),
         "kept_straight": {"structural": _range(result.straight[0]), "frictional": _range(result.straight[1])},
-        "changes": [],
-        "slopes": [],
+        "changes": changes_record(result.changes),
+        "slopes": slopes_record(result.slopes),
         "notes": list(result.notes),
     }
 

@@ -11,7 +11,7 @@ from palmar.geometry.planar_set import Circle, coordinates, seen_from_object
 from palmar.mechanics.closure.sizing import Dimension
 from palmar.models.outcome import Outcome
 from palmar.regions.region import Region
-from palmar.studies.closure import ClosureAnswer, RadiusRange
+from palmar.studies.closure import Change, ClosureAnswer, RadiusRange, Slope
 from palmar.studies.sizing import Sizing
 
 if TYPE_CHECKING:
@@ -46,21 +46,35 @@ def closure_record(result: ClosureAnswer) -> dict[str, Any]:
             "reason": result.object.reason,
             **({} if result.polygon is None else {"polygon": result.polygon.record()}),
         },
-        "changes": [
-            {"closure": each.closure.value, "dimension": _NAMES[each.dimension], "now": each.now, "to": each.to}
-            for each in result.changes
-        ],
-        "slopes": [
-            {
-                "closure": each.closure.value,
-                "dimension": _NAMES[each.dimension],
-                "radius_min": list(each.radius_min),
-                "radius_max": list(each.radius_max),
-            }
-            for each in result.slopes
-        ],
+        "changes": changes_record(result.changes),
+        "slopes": slopes_record(result.slopes),
         "notes": list(result.notes),
     }
+
+
+def changes_record(changes: tuple[Change, ...]) -> list[dict[str, Any]]:
+    """Lengths in m, friction as such."""
+    return [
+        {"closure": each.closure.value, "dimension": _name(each.dimension), "now": each.now, "to": each.to}
+        for each in changes
+    ]
+
+
+def slopes_record(slopes: tuple[Slope, ...]) -> list[dict[str, Any]]:
+    """On decreasing and on increasing the dimension: m per m, or m per unit of friction."""
+    return [
+        {
+            "closure": each.closure.value,
+            "dimension": _name(each.dimension),
+            "radius_min": list(each.radius_min),
+            "radius_max": list(each.radius_max),
+        }
+        for each in slopes
+    ]
+
+
+def _name(dimension: Dimension | int) -> str:
+    return _NAMES[dimension] if isinstance(dimension, Dimension) else f"link_{dimension}"
 
 
 def sizing_record(result: Sizing) -> dict[str, Any]:

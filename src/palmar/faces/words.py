@@ -11,7 +11,8 @@ from palmar.models.closure import Closure
 from palmar.models.objects import Disk
 from palmar.regions.region import Region
 from palmar.studies.closure import Change, ClosureAnswer, RadiusRange, Slope
-from palmar.studies.jointed_closure import IN_WORDS, Intervals, JointedClosure
+from palmar.studies.jointed_closure import JointedClosure
+from palmar.studies.jointed_reason import IN_WORDS, Intervals
 from palmar.studies.sizing import Sizing, interval_words
 
 Row = tuple[str, ...]
@@ -22,6 +23,10 @@ _WORDS = {
     Dimension.FRICTION_ANGLE: "friction",
 }
 _HOW = {Closure.STRUCTURAL: "without friction", Closure.FRICTIONAL: "with friction"}
+
+
+def _word(dimension: Dimension | int) -> str:
+    return _WORDS[dimension] if isinstance(dimension, Dimension) else f"length of link {dimension}"
 
 
 def headline(name: str, case: Case) -> str:
@@ -60,9 +65,14 @@ def jointed_rows(case: Case, result: JointedClosure) -> list[Row]:
         " and ".join(map(_span, several)) if several else _radii(radii)
         for radii, several in zip((result.structural, result.frictional), result.intervals, strict=True)
     )
-    return [
+    rows: list[Row] = [
         ("radii held without friction", plain, held[verdict.structural]),
         (f"radii held {friction}", rough, held[verdict.frictional]),
+    ]
+    if result.coupled:
+        return rows
+    return [
+        *rows,
         ("fingers kept straight, without friction", _radii(result.straight[0]), ""),
         (f"fingers kept straight, {friction}", _radii(result.straight[1]), ""),
     ]
@@ -77,7 +87,7 @@ def change_line(change: Change) -> str:
     """One change that makes the object held."""
     scale, unit = (1.0, "") if change.dimension is Dimension.FRICTION_ANGLE else (1e3, " mm")
     values = f"{scale * change.now:.4g} -> {scale * change.to:.4g}{unit}"
-    return f"to hold it {_HOW[change.closure]}: {_WORDS[change.dimension]} {values}"
+    return f"to hold it {_HOW[change.closure]}: {_word(change.dimension)} {values}"
 
 
 def slope_row(slope: Slope) -> Row:
@@ -85,7 +95,7 @@ def slope_row(slope: Slope) -> Row:
     if slope.dimension is Dimension.FRICTION_ANGLE:
         step, scale = "0.1 more friction", 0.1e3
     else:
-        step, scale = f"1 mm more {_WORDS[slope.dimension]}", 1.0
+        step, scale = f"1 mm more {_word(slope.dimension)}", 1.0
     moved = (f"{_signed(scale * limit[1])} mm" for limit in (slope.radius_max, slope.radius_min))
     return (f"{_HOW[slope.closure]}, {step}", *moved)
 

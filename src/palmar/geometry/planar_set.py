@@ -97,3 +97,14 @@ def inscribed_circle(region: MultiPolygon, tolerance: float) -> Circle:
     on_axis = seam_free.contains(centred) and edge.distance(centred) >= edge.distance(found) - tolerance
     centre = centred if on_axis else found
     return Circle((float(centre.x), float(centre.y)), float(edge.distance(centre)))
+
+
+def uniform_places(area: MultiPolygon, count: int, rng: np.random.Generator) -> NDArray[np.float64]:
+    """Places (count, 2) uniform over a set that is not empty, by rejection from its bounding box."""
+    left, low, right, high = area.bounds
+    found: list[NDArray[np.float64]] = []
+    shapely.prepare(area)
+    while sum(map(len, found)) < count:
+        tried = np.column_stack([rng.uniform(left, right, count), rng.uniform(low, high, count)])
+        found.append(tried[shapely.contains_xy(area, tried)])
+    return np.concatenate(found)[:count]

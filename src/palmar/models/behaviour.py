@@ -65,8 +65,10 @@ class Behaviour(Value):
     """How long a hand waits that does not advance, or follows an object before it closes."""
     preshape: Annotated[Real, Field(ge=0.0, lt=pi), Unit.DEGREE] = Unit.DEGREE.to_si(20.0)
     """Distal angle to curl to: before closing, or where the distal link felt the object."""
-    ratio: Annotated[Real, Field(ge=0.0, le=100.0)] = 1.0
-    """Rate of the distal joints over that of the base joints, where they close together."""
+    ratio: Annotated[Real, Field(ge=-100.0, le=100.0)] = 1.0
+    """Rate of the distal joints over that of the base joints, where they close together; negative: they turn back."""
+    bend: Annotated[Real, Field(gt=-pi, lt=pi), Unit.DEGREE] = 0.0
+    """Distal angle of the open hand whose joints close together; in every other motion it is straight."""
     uncertainty: Annotated[Real, Field(gt=0.0, le=LARGEST_LENGTH), Unit.MILLIMETRE] = 0.02
     """Radius of the disk about the case's start in which a plan, or a touch-down, takes the object's centre to be."""
     touch_rate: Annotated[Real, Field(gt=0.0, le=1000.0), Unit.DEGREE_PER_SECOND] = Unit.DEGREE_PER_SECOND.to_si(5.0)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import product
+from math import degrees
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
 from palmar.geometry.finger_reach import finger_reach
-from palmar.models.behaviour import Behaviour
+from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.contact import Contact
 from palmar.models.hand import Hand
 from palmar.models.objects import Object
@@ -63,12 +64,30 @@ class Case(Value):
     def _fingers_before_the_wall(self) -> Self:
         wall, hand = self.support.wall, self.hand
         if wall is not None:
-            reach = finger_reach(hand.finger_links, (hand.open,), hand.half_thickness)
+            reach = finger_reach(hand.finger_links, self.open_joints, hand.half_thickness)
             if wall < reach * (1.0 - 1e-12):
                 raise ValueError(
                     f"support.wall_mm must be at least {1e3 * reach:.6g}, as far as the open fingers reach"
                 )
         return self
+
+    @model_validator(mode="after")
+    def _bend_within_limits(self) -> Self:
+        limits = self.hand.joint_limits
+        if limits is not None and len(limits) == 2 and self.behaviour.name is BehaviourName.CLOSE_COUPLED:
+            low, high = limits[1]
+            if not low <= self.behaviour.bend <= high:
+                span = f"{degrees(low):.6g} to {degrees(high):.6g}"
+                raise ValueError(f"behaviour.bend_deg must lie within the distal joint's limits, {span}")
+        return self
+
+    @property
+    def open_joints(self) -> tuple[float, ...]:
+        """Joint angles (rad) of each finger at the start: straight, but for coupled joints that begin bent."""
+        rest = len(self.hand.finger_links) - 1
+        if self.behaviour.name is BehaviourName.CLOSE_COUPLED and rest == 1:
+            return self.hand.open, self.behaviour.bend
+        return self.hand.open, *(0.0,) * rest
 
     def palm_ahead(self, right: Sequence[float], left: Sequence[float], told: float = 0.0) -> float:
         """Where along y (m) the palm is: where the arm is ``told`` to be, or as far back as a wall keeps the fingers.

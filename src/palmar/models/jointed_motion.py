@@ -39,6 +39,9 @@ def curl_of(case: Case) -> float:
 def coupled_limit(case: Case) -> float:
     """The base angle (rad) at which one joint of a coupled finger is at its end, and with it the motion."""
     check_two_links(case)
-    hand, ratio = case.hand, case.behaviour.ratio
+    hand, ratio, bend = case.hand, case.behaviour.ratio, case.behaviour.bend
+    low = -pi if hand.joint_limits is None else max(hand.joint_limits[1][0], -pi)
     most = hand.base_limits[1]
-    return min(most, hand.open + distal_limit(hand) / ratio) if ratio > 0.0 else most
+    if ratio == 0.0:
+        return most
+    return min(most, hand.open + ((distal_limit(hand) if ratio > 0.0 else low) - bend) / ratio)

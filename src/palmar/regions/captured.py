@@ -45,7 +45,7 @@ DEEPEST = 2.0
 """How far inwards, in spacings, one goes at once from a place of that boundary that is lost."""
 BULGES, BULGE = 4, 1.0 / 8.0
 """How often corners that chords cut off are put back, and by which part of the margin they stick out at least."""
-CELLS = 96
+CELLS, FEWEST_CELLS = 96, 32
 """Of the coarse grid, all of whose nodes are asked about, across."""
 MOST_EVENTS = 2_000
 """Of one start, after which it counts as lost: what rattles so long in the throat is next to the outline."""
@@ -65,8 +65,8 @@ def captured_region(case: Case, closure: Closure, tolerance: float | None) -> Re
         case = case.model_copy(update={"contact": case.contact.model_copy(update={"friction": 0.0})})
     asked = Captured(case)
     hand, length = asked.hand, case.hand.finger_length
-    box = _box(case, hand)
     wanted = max(tolerance or SPACING * length, FINEST * length)
+    box = _box(case, hand, wanted)
     nodes = nodes_inside(asked.caught, box, max(0, ceil(log2(box.width / box.cells / wanted))))
     margin = MARGIN * nodes.step
     found, lost = _looked_at(_traced(asked, nodes, box), asked, margin, DEEPEST * nodes.step)
@@ -92,6 +92,13 @@ def captured_region(case: Case, closure: Closure, tolerance: float | None) -> Re
         outer=areal(found.buffer(margin)),
         spacing=nodes.step,
     )
+
+
+def captured_count(case: Case, spacing: float) -> float:
+    """About the area (m2) of the region, by the number of starts on a grid of that ``spacing`` (m) that are caught."""
+    asked = Captured(case)
+    nodes = nodes_inside(asked.caught, _box(case, asked.hand, spacing), 0)
+    return float(nodes.held.sum()) * nodes.step**2
 
 
 def _traced(asked: Captured, nodes: Nodes, box: Box) -> MultiPolygon:
@@ -177,14 +184,15 @@ def restitutions_of(case: Case) -> Floats:
     return np.linspace(*ends[0], RESTITUTIONS) if ends else np.array([case.contact.restitution])
 
 
-def _box(case: Case, hand: CaptureHand) -> Box:
-    """All starts that can touch the hand before it is closed."""
+def _box(case: Case, hand: CaptureHand, spacing: float) -> Box:
+    """All starts that can touch the hand before it is closed; fewer cells only where a coarser spacing is asked for."""
     vx, vy = case.start.velocity
     time = float(hand.times[-1])
     width = 2.0 * (hand.reach + abs(vx) * time)
     height = hand.reach - hand.half_palm + max(-vy, 0.0) * time
+    cells = min(CELLS, max(FEWEST_CELLS, 2 * ceil(0.5 * width / spacing)))
     alike = bool((hand.angles[:, 0] == hand.angles[:, 1]).all())
-    return Box(width, height, CELLS, vx == 0.0 and alike)
+    return Box(width, height, cells, vx == 0.0 and alike)
 
 
 def _contact(centre: MultiPolygon, case: Case, hand: CaptureHand) -> MultiPolygon:

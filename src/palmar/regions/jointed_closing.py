@@ -7,7 +7,7 @@ were is told. Guarantee: ``sampled``.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, log2
 
 import numpy as np
@@ -50,11 +50,10 @@ def jointed_region(case: Case, closure: Closure, tolerance: float | None) -> Reg
         case = case.model_copy(update={"contact": case.contact.model_copy(update={"friction": 0.0})})
     asked = Carried(case)
     length, size = case.hand.finger_length, asked.size
-    width, height = 2.0 * (case.hand.half_palm + length + size), length + 2.0 * size
     wanted = max(tolerance or SPACING * length, FINEST * length)
-    box = Box(width, height, COARSE, isinstance(case.object, Disk) and case.support.pressure_centre == (0.0, 0.0))
-    nodes = nodes_inside(asked.caught, box, max(0, ceil(log2(width / COARSE / wanted))))
-    found = outlined(asked.caught, nodes, (-0.5 * width, 0.0))
+    box = _box(case, size, COARSE)
+    nodes = nodes_inside(asked.caught, box, max(0, ceil(log2(box.width / COARSE / wanted))))
+    found = outlined(asked.caught, nodes, (-0.5 * box.width, 0.0))
     centre = areal(found.buffer(-MARGIN * nodes.step))
     if isinstance(case.object, Disk):
         whole, flattening = (EMPTY, 0.0) if centre.is_empty else grown(centre, size, 1e-3 * size)
@@ -77,6 +76,21 @@ def jointed_region(case: Case, closure: Closure, tolerance: float | None) -> Reg
         outer=areal(found.buffer(MARGIN * nodes.step)),
         spacing=nodes.step,
     )
+
+
+def jointed_count(case: Case, spacing: float) -> float:
+    """About the area (m2) of the region, by the number of starts on a grid of that ``spacing`` (m) that are caught."""
+    asked = Carried(case)
+    box = _box(case, asked.size, COARSE)
+    nodes = nodes_inside(asked.caught, replace(box, cells=2 * ceil(0.5 * box.width / spacing)), 0)
+    return float(nodes.held.sum()) * nodes.step**2
+
+
+def _box(case: Case, size: float, cells: int) -> Box:
+    """All starts that can touch the hand."""
+    hand = case.hand
+    width, height = 2.0 * (hand.half_palm + hand.finger_length + size), hand.finger_length + 2.0 * size
+    return Box(width, height, cells, isinstance(case.object, Disk) and case.support.pressure_centre == (0.0, 0.0))
 
 
 @dataclass
@@ -131,7 +145,7 @@ def stretches_of(case: Case) -> list[HandMotion]:
         bend = curl_of(case)
         closing = _closing(hand, hand.open, bend, 0.0, hand.base_limits[1])
         return [_curl(hand, bend), closing] if bend > 0.0 else [closing]
-    return [_closing(hand, hand.open, 0.0, does.ratio, coupled_limit(case))]
+    return [_closing(hand, hand.open, does.bend, does.ratio, coupled_limit(case))]
 
 
 def _curl(hand: Hand, angle: float) -> HandMotion:

@@ -38,10 +38,13 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Change:
-    """The smallest change of one dimension alone that makes the disk held: ``now`` and ``to`` in m, or as friction."""
+    """The smallest change of one dimension alone that makes the disk held: ``now`` and ``to`` in m, or as friction.
+
+    A number stands for the length of that link, counted from the palm.
+    """
 
     closure: Closure
-    dimension: Dimension
+    dimension: Dimension | int
     now: float
     to: float
 
@@ -51,7 +54,7 @@ class Slope:
     """How a limit moves with one dimension: m per m, or m per unit of friction; on decreasing and on increasing it."""
 
     closure: Closure
-    dimension: Dimension
+    dimension: Dimension | int
     radius_min: tuple[float, float]
     radius_max: tuple[float, float]
 

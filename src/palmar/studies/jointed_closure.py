@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import hypot, nan, pi, tan
+from dataclasses import dataclass, replace
+from math import degrees, hypot, nan, pi
 
 import numpy as np
 
@@ -15,23 +15,22 @@ from palmar.mechanics.closure.four_jointed_cradle import folded_radius
 from palmar.mechanics.closure.four_jointed_friction import largest_with_friction
 from palmar.mechanics.closure.limited import MOST_LINKS, LimitedRadii, limited_radii, stance_at
 from palmar.mechanics.closure.stance import Stance, stance_of
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import Disk
-from palmar.studies.closure import RadiusRange, Verdict
+from palmar.studies.closure import Change, RadiusRange, Slope, Verdict
+from palmar.studies.jointed_changes import changes_and_slopes
+from palmar.studies.jointed_reason import Held, Intervals, jointed_reason, within
 
-Intervals = tuple[tuple[float, float], ...]
-IN_WORDS = {
-    "proximal_palm": "proximal links and palm",
-    "distal_palm": "distal links and palm",
-    "distal_proximal": "distal and proximal links",
-    "distal_proximal_palm": "distal and proximal links and palm",
-}
+Coupling = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
 class JointedClosure:
     """What `palmar closure` reports of jointed fingers; radii in m, None where none is held.
+
+    ``changes`` and ``slopes`` are known where ``cases`` are.
 
     ``cases`` are the intervals held without friction by each set of links, known for two line links a finger without
     joint limits; ``largest`` the stances that hold the largest disks where they were found by a search, ``intervals`` the
@@ -47,6 +46,10 @@ class JointedClosure:
     intervals: tuple[Intervals, Intervals]
     straight: tuple[RadiusRange | None, RadiusRange | None]
     notes: tuple[str, ...]
+    changes: tuple[Change, ...] = ()
+    slopes: tuple[Slope, ...] = ()
+    coupled: bool = False
+    """Whether the joints of a finger are coupled, so that none is kept straight."""
 
 
 def bends(case: Case) -> bool:
@@ -59,7 +62,11 @@ def jointed_closure(case: Case) -> JointedClosure:
     """The answer for a case that ``bends``; with ranges in it, what is held at every combination of their ends."""
     corners = [_corner(each) for each in case.corners()]
     if len(corners) == 1:
-        return corners[0]
+        (only,) = corners
+        if not only.cases:
+            return only
+        changes, slopes = changes_and_slopes(case, only.object)
+        return replace(only, changes=changes, slopes=slopes)
     nominal = _corner(case.model_copy(update={"ranges": ()}))
     worst = min(corners, key=lambda each: (each.object.frictional, each.object.structural))
     held = (all(each.object.structural for each in corners), all(each.object.frictional for each in corners))
@@ -72,13 +79,14 @@ def jointed_closure(case: Case) -> JointedClosure:
         ((), ()),
         (_common([each.straight[0] for each in corners]), _common([each.straight[1] for each in corners])),
         (*nominal.notes, "what is reported holds at every end of the given ranges"),
+        coupled=nominal.coupled,
     )
 
 
 def _corner(case: Case) -> JointedClosure:
     hand, alpha = case.hand, case.contact.friction_angle
     assert isinstance(case.object, Disk)
-    if hand.joint_limits is not None:
+    if hand.joint_limits is not None or coupling_of(case) is not None:
         return _limited(case)
     cases, holds = _cases(hand), _holds(hand, alpha)
     largest = (_largest(hand, 0.0, holds[0]), _largest(hand, alpha, holds[1]))
@@ -86,40 +94,57 @@ def _corner(case: Case) -> JointedClosure:
     structural = _range(_smallest(hand, straight[0]), largest[0])
     frictional = _range(min(_smallest(hand, each) for each in straight), largest[1]) if alpha else structural
     radius = case.object.radius
-    reason = _reason(case, (structural, frictional), cases, holds)
-    verdict = Verdict(_within(structural, radius), _within(frictional, radius), reason)
+    reason = jointed_reason(case, Held((structural, frictional), cases, holds))
+    verdict = Verdict(within(structural, radius), within(frictional, radius), reason)
     ends = (_straight_range(straight[0]), _straight_range(straight[1]))
-    return JointedClosure(structural, frictional, verdict, cases, holds, ((), ()), ends, tuple(_notes(hand)))
+    return JointedClosure(structural, frictional, verdict, cases, holds, ((), ()), ends, tuple(_notes(hand, None)))
 
 
 def _limited(case: Case) -> JointedClosure:
-    """Within joint limits, by the search of ``mechanics.closure.limited``."""
-    hand, alpha = case.hand, case.contact.friction_angle
+    """Within joint limits and a coupling, by the search of ``mechanics.closure.limited``."""
+    hand, alpha, coupling = case.hand, case.contact.friction_angle, coupling_of(case)
     assert isinstance(case.object, Disk)
     radius = case.object.radius
-    plain = limited_radii(limited_hand(hand, 0.0))
-    rough = limited_radii(limited_hand(hand, alpha)) if alpha else plain
+    plain = limited_radii(limited_hand(hand, 0.0, coupling))
+    rough = limited_radii(limited_hand(hand, alpha, coupling)) if alpha else plain
     ranges, holds = (_hull(plain), _hull(rough)), (plain.largest, rough.largest)
     held = [any(low <= radius <= high for low, high in each.intervals) for each in (plain, rough)]
     several = tuple(each.intervals if len(each.intervals) > 1 else () for each in (plain, rough))
-    gap = [_within(each, radius) and not so for each, so in zip(ranges, held, strict=True)]
+    gap = [within(each, radius) and not so for each, so in zip(ranges, held, strict=True)]
     if gap[1]:
         reason = "between two ranges of radii that are held"
     else:
-        reason = _reason(case, (None if gap[0] else ranges[0], ranges[1]), {}, holds)
+        reason = jointed_reason(case, Held((None if gap[0] else ranges[0], ranges[1]), {}, holds))
     straight = _straight(hand, alpha)
-    ends = (_straight_range(straight[0]), _straight_range(straight[1]))
+    ends = (_straight_range(straight[0]), _straight_range(straight[1])) if coupling is None else (None, None)
     return JointedClosure(
-        *ranges, Verdict(held[0], held[1], reason), {}, holds, (several[0], several[1]), ends, tuple(_notes(hand))
+        *ranges,
+        Verdict(held[0], held[1], reason),
+        {},
+        holds,
+        (several[0], several[1]),
+        ends,
+        tuple(_notes(hand, coupling)),
+        coupled=coupling is not None,
     )
 
 
-def limited_hand(hand: Hand, friction_angle: float) -> LimitedHand:
+def coupling_of(case: Case) -> Coupling | None:
+    """Open base angle, open distal angle (rad) and ratio, where the behaviour couples the two joints of a finger."""
+    if case.behaviour.name is not BehaviourName.CLOSE_COUPLED or len(case.hand.finger_links) != 2:
+        return None
+    base, bend = case.open_joints
+    return base, bend, case.behaviour.ratio
+
+
+def limited_hand(hand: Hand, friction_angle: float, coupling: Coupling | None = None) -> LimitedHand:
     """The hand as the search within joint limits takes it; without limits, joints turn by half a turn either way."""
     free = (hand.base_limits, *[(-pi, pi)] * (len(hand.finger_links) - 1))
     limits = free if hand.joint_limits is None else (hand.base_limits, *hand.joint_limits[1:])
     crossing = hand.fingers is Fingers.CROSSING
-    return LimitedHand(hand.half_palm, hand.finger_links, limits, friction_angle, hand.half_thickness, crossing)
+    return LimitedHand(
+        hand.half_palm, hand.finger_links, limits, friction_angle, hand.half_thickness, crossing, coupling
+    )
 
 
 def _hull(radii: LimitedRadii) -> RadiusRange | None:
@@ -138,10 +163,10 @@ def _holds(hand: Hand, alpha: float) -> tuple[Stance | None, Stance | None]:
     return plain, (largest_stance(hand, alpha) if alpha else plain)
 
 
-def largest_stance(hand: Hand, alpha: float) -> Stance | None:
+def largest_stance(hand: Hand, alpha: float, coupling: Coupling | None = None) -> Stance | None:
     """How the hand holds its largest disk at the friction angle alpha (rad), within its joint limits; None if none."""
-    if hand.joint_limits is not None:
-        return limited_radii(limited_hand(hand, alpha)).largest
+    if hand.joint_limits is not None or coupling is not None:
+        return limited_radii(limited_hand(hand, alpha, coupling)).largest
     chain = Chain(hand.half_palm, hand.finger_links, alpha, hand.half_thickness)
     hold = largest_hold(chain)
     return None if hold is None else stance_of(hold, chain)
@@ -156,8 +181,9 @@ def held_stances(case: Case, answer: JointedClosure, *, frictional: bool) -> tup
     alpha = case.contact.friction_angle if frictional else 0.0
     held = answer.object.frictional if frictional else answer.object.structural
     some = held and len(case.hand.finger_links) <= MOST_LINKS
-    own = stance_at(limited_hand(case.hand, alpha), case.object.radius) if some else None
-    return own, answer.largest[frictional] or largest_stance(case.hand, alpha)
+    coupling = coupling_of(case)
+    own = stance_at(limited_hand(case.hand, alpha, coupling), case.object.radius) if some else None
+    return own, answer.largest[frictional] or largest_stance(case.hand, alpha, coupling)
 
 
 def _largest(hand: Hand, alpha: float, hold: Stance | None) -> float:
@@ -210,60 +236,6 @@ def _straight_range(radii: Radii) -> RadiusRange | None:
     return None if np.isnan(radii.max) else RadiusRange(float(radii.min), float(radii.max))
 
 
-def _within(radii: RadiusRange | None, radius: float) -> bool:
-    return radii is not None and radii.radius_min <= radius <= radii.radius_max
-
-
-def _reason(
-    case: Case,
-    ranges: tuple[RadiusRange | None, RadiusRange | None],
-    cases: dict[str, Intervals],
-    holds: tuple[Stance | None, Stance | None],
-) -> str:
-    assert isinstance(case.object, Disk)
-    radius, friction = case.object.radius, tan(case.contact.friction_angle)
-    limited = case.hand.joint_limits is not None
-    alone = _sentence(radius, ranges[0], "without friction", _by(radius, ranges[0], cases, holds[0]), limited=limited)
-    if not friction or _within(ranges[0], radius):
-        return alone
-    how = f"with friction {friction:.3g}"
-    rough = _sentence(radius, ranges[1], how, _by(radius, ranges[1], {}, holds[1]), limited=limited)
-    return f"{rough if _within(ranges[1], radius) else f'{how} {rough}'}; without friction {alone}"
-
-
-def _sentence(radius: float, radii: RadiusRange | None, how: str, by: str, *, limited: bool = False) -> str:
-    if radii is None:
-        return "no disk can be held: the fingers do not reach the equator of any disk on the palm"
-    if radius > radii.radius_max:
-        return f"too large by {_mm(radius - radii.radius_max)}: the largest disk is held {by}"
-    if radius < radii.radius_min:
-        why = "the joints reach their limits" if limited else "the fingertips cannot come close enough together"
-        return f"too small by {_mm(radii.radius_min - radius)}: {why}"
-    above = f", {_mm(radius - radii.radius_min)} above the smallest" if radii.radius_min > 0.0 else ""
-    return f"held {how} {by}, {_mm(radii.radius_max - radius)} below the largest{above}"
-
-
-def _by(radius: float, radii: RadiusRange | None, cases: dict[str, Intervals], hold: Stance | None) -> str:
-    """Which contacts hold the disk, or the largest one where the disk is larger; where not known for this disk, how."""
-    held = _within(radii, radius)
-    shown = radius if held or radii is None else radii.radius_max
-    able = [IN_WORDS[name] for name, known in cases.items() if any(low <= shown <= high for low, high in known)]
-    if able:
-        return f"by {' or by '.join(able)}"
-    if hold is None or held:
-        return "by the fingers, with or without the palm"
-    return f"by {carriers(hold)}"
-
-
-def carriers(hold: Stance) -> str:
-    """The contacts of a hold, links counted from the palm."""
-    if hold.carrier is None:
-        return f"links {hold.last} of both fingers alone"
-    if hold.carrier == 0:
-        return f"links {hold.last} of both fingers and the palm"
-    return f"links {hold.last} and {hold.carrier} of both fingers"
-
-
 def _common(ranges: list[RadiusRange | None]) -> RadiusRange | None:
     known = [each for each in ranges if each is not None]
     low = max((each.radius_min for each in known), default=0.0)
@@ -271,16 +243,18 @@ def _common(ranges: list[RadiusRange | None]) -> RadiusRange | None:
     return RadiusRange(low, high) if len(known) == len(ranges) and low <= high else None
 
 
-def _notes(hand: Hand) -> list[str]:
+def _notes(hand: Hand, coupling: Coupling | None) -> list[str]:
     notes = [f"the {len(hand.finger_links)} links of a finger bend inwards as they need; kept_straight is without that"]
+    if coupling is not None:
+        _, bend, ratio = coupling
+        notes = [
+            f"the distal joint is coupled: at {degrees(bend):.4g} deg in the open hand, it turns {ratio:.4g} times as fast"
+            " as the base joint until the proximal link is held up, and then goes on alone; it is never behind that"
+        ]
     if hand.finger_thickness > 0.0:
         notes.append(f"fingers are {1e3 * hand.finger_thickness:g} mm thick with round tips, the palm is a line")
-    if hand.joint_limits is not None:
+    if hand.joint_limits is not None or coupling is not None:
         notes.append("joints keep within their limits; radii are found by a search, the largest to about 3 in 10 000")
     if hand.fingers is Fingers.COLLIDING:
         notes.append("fingers lie in one plane: the smallest radius is that between tips that meet")
     return notes
-
-
-def _mm(length: float) -> str:
-    return f"{float(f'{1e3 * length:.3g}'):g} mm"

@@ -1,4 +1,4 @@
-"""The facts of a report: closure and, where a model covers the case, its regions."""
+"""The facts of a report: closure, the regions where a model covers the case, and strategies for two joints a finger."""
 
 from __future__ import annotations
 
@@ -12,13 +12,25 @@ from palmar.regions.build import build_region
 from palmar.regions.region import Region
 from palmar.studies.closure import ClosureAnswer, Verdict, closure_answer
 from palmar.studies.jointed_closure import JointedClosure, bends, jointed_closure
+from palmar.studies.preshape import Preshapes, preshapes
+from palmar.studies.strategies import QUICK, Strategy, strategies
+
+
+@dataclass(frozen=True)
+class Closings:
+    """How two joints a finger should close: strategies by a quick search, preshapes; ``uncovered``: why there are none."""
+
+    strategies: tuple[Strategy, ...]
+    preshapes: Preshapes | None
+    uncovered: str | None
 
 
 @dataclass(frozen=True)
 class Report:
     """A case and everything palmar can say about it; ``uncovered`` says why there are no regions.
 
-    ``closure`` is the answer for straight fingers, ``jointed`` that for fingers that bend, where the case is answered so.
+    ``closure`` is the answer for straight fingers, ``jointed`` that for fingers that bend, where the case is answered so;
+    ``closings`` are for fingers of two links, None for others.
     """
 
     name: str
@@ -27,6 +39,7 @@ class Report:
     jointed: JointedClosure | None
     regions: tuple[Region, ...]
     uncovered: str | None
+    closings: Closings | None
 
     @property
     def verdict(self) -> Verdict:
@@ -39,10 +52,23 @@ def report_facts(name: str, case: Case, progress: Callable[[str], None]) -> Repo
     progress("closure")
     closure = closure_answer(case)
     jointed = jointed_closure(case) if bends(case) else None
+    regions, uncovered = _regions(case, progress)
+    closings = _closings(case, progress) if len(case.hand.finger_links) == 2 else None
+    return Report(name, case, closure, jointed, regions, uncovered, closings)
+
+
+def _regions(case: Case, progress: Callable[[str], None]) -> tuple[tuple[Region, ...], str | None]:
     progress("regions")
     wanted = (Closure.STRUCTURAL, Closure.FRICTIONAL) if case.contact.friction > 0.0 else (Closure.STRUCTURAL,)
     try:
-        regions = tuple(build_region(case, closure=each) for each in wanted)
+        return tuple(build_region(case, closure=each) for each in wanted), None
     except NotCoveredError as error:
-        return Report(name, case, closure, jointed, (), str(error))
-    return Report(name, case, closure, jointed, regions, None)
+        return (), str(error)
+
+
+def _closings(case: Case, progress: Callable[[str], None]) -> Closings:
+    progress("closing strategies")
+    try:
+        return Closings(strategies(case, effort=QUICK), preshapes(case), None)
+    except NotCoveredError as error:
+        return Closings((), None, str(error))

@@ -1,7 +1,8 @@
-"""Carry an object through the closing motion: one start in detail, or many."""
+"""Carry an object through a closing motion, of base joints or of both joints: one start in detail, or many."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +12,7 @@ from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.closing import Ends
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
+from palmar.models.jointed_motion import JOINTED_CLOSING
 from palmar.models.outcome import Outcome
 from palmar.models.support import SupportKind
 from palmar.worlds.planar.events import Event, events
@@ -36,6 +38,8 @@ def simulate_start(case: Case, start: ArrayLike) -> Simulation:
     if case.support.kind is SupportKind.FREE:
         return _simulate_free(case, start)
     place = _places(case, np.atleast_2d(np.asarray(start, dtype=float)))
+    if case.behaviour.name in JOINTED_CLOSING:
+        return _simulate_jointed(case, place[0])
     ends = _ends(case, place)
     outcome = Outcome.from_code(int(ends.codes[0]))
     found = _events(case, place[0], outcome) if outcome is not Outcome.INVALID else ()
@@ -47,7 +51,7 @@ def simulate_start(case: Case, start: ArrayLike) -> Simulation:
         (x, y, theta),
         (left, *straight),
         (right, *straight),
-        tuple(((each.psi - case.hand.open) / case.hand.finger_rate, each) for each in found),
+        _timed(case, found),
     )
 
 
@@ -65,12 +69,37 @@ def _simulate_free(case: Case, start: ArrayLike) -> Simulation:
     from palmar.worlds.planar.free import free_world
 
     world = free_world(_closing(case))
-    outcome, pose, (right, left), found = world.start(_moving(case, start)[0])
-    straight = (0.0,) * (len(case.hand.finger_links) - 1)
-    return Simulation(
-        outcome, pose, (left, *straight), (right, *straight),
-        tuple(((each.psi - case.hand.open) / case.hand.finger_rate, each) for each in found),
-    )  # fmt: skip
+    outcome, pose, joints, found = world.start(_moving(case, start)[0])
+    return Simulation(outcome, pose, *_fingers(case, joints), _timed(case, found))
+
+
+def _simulate_jointed(case: Case, place: NDArray[np.float64]) -> Simulation:
+    """By the stepping kernel, or by the behaviour's own program where a finger is held up before its last stretch."""
+    from palmar.worlds.planar.jointed import jointed_world
+
+    x, y, theta = (float(each) for each in place)
+    found = jointed_world(case).carried((x, y, theta))
+    if found.outcome is None:
+        return _under_feedback(case, (x, y, theta))
+    return Simulation(found.outcome, found.pose, *_fingers(case, found.joints), _timed(case, found.events))
+
+
+def _under_feedback(case: Case, start: ArrayLike) -> Simulation:
+    from palmar.studies.simulate_in_world import simulate_start_in
+    from palmar.worlds.planar.feedback import feedback_world
+
+    return simulate_start_in(case, start, feedback_world)
+
+
+def _fingers(case: Case, joints: Sequence[float]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Left and right finger, from the right one's joints and the left one's; what is not there is straight."""
+    count = len(joints) // 2
+    straight = (0.0,) * (len(case.hand.finger_links) - count)
+    return (*joints[count:], *straight), (*joints[:count], *straight)
+
+
+def _timed(case: Case, found: Iterable[Event]) -> tuple[tuple[float, Event], ...]:
+    return tuple(((each.psi - case.hand.open) / case.hand.finger_rate, each) for each in found)
 
 
 def _moving(case: Case, starts: ArrayLike) -> NDArray[np.float64]:
@@ -82,7 +111,9 @@ def _moving(case: Case, starts: ArrayLike) -> NDArray[np.float64]:
 
 
 def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
-    """Event to event where that kernel covers the case, else in steps."""
+    """Event to event where that kernel covers the case, else in steps; jointed motions stretch by stretch."""
+    if case.behaviour.name in JOINTED_CLOSING:
+        return _jointed_ends(case, places)
     if not covered(case):
         from palmar.worlds.planar.stepping import stepping_world
 
@@ -96,6 +127,18 @@ def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
 
         rest = stepping_world(case).ends(places[left])
         codes[left], poses[left], fingers[left] = rest.codes, rest.poses, rest.fingers
+    return Ends(codes, poses, fingers)
+
+
+def _jointed_ends(case: Case, places: NDArray[np.float64]) -> Ends:
+    """Those at which a finger is held up too soon one after the other, under feedback."""
+    from palmar.worlds.planar.jointed import jointed_world
+
+    ends, held_up = jointed_world(case).ends(places)
+    codes, poses, fingers = ends.codes.copy(), ends.poses.copy(), ends.fingers.copy()
+    for k in np.flatnonzero(held_up):
+        told = _under_feedback(case, places[k])
+        codes[k], poses[k], fingers[k] = told.outcome.code, told.pose, (told.right[0], told.left[0])
     return Ends(codes, poses, fingers)
 
 
@@ -122,12 +165,25 @@ def film(case: Case, start: tuple[float, ...], frames: int) -> Trace:
 
         return free_world(case).trace(_moving(case, [start])[0], frames)
     x, y, theta = start[:3]
+    if case.behaviour.name in JOINTED_CLOSING:
+        from palmar.worlds.planar.jointed import jointed_world
+
+        world = jointed_world(case)
+        found = world.carried((x, y, theta))
+        return _film_under_feedback(case, (x, y, theta)) if found.outcome is None else world.trace(found, frames)
     if _in_steps(case, np.array([x, y, theta])):
         from palmar.worlds.planar.stepping import stepping_world
 
         return stepping_world(case).trace((x, y, theta), frames)
     whole = trace(table_world(case), (x, y), frames)
     return Trace(whole.psi, whole.poses + np.array([0.0, 0.0, theta]), whole.fingers)
+
+
+def _film_under_feedback(case: Case, start: tuple[float, float, float]) -> Trace:
+    from palmar.studies.simulate_in_world import film_in
+    from palmar.worlds.planar.feedback import feedback_world
+
+    return film_in(case, start, feedback_world)
 
 
 def _places(case: Case, starts: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -141,8 +197,8 @@ def _places(case: Case, starts: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _closing(case: Case) -> Case:
-    """The case, if closing is what its hand does."""
-    if case.behaviour.name is not BehaviourName.CLOSE:
+    """The case, if closing is what its hand does: with the base joints, or with both."""
+    if case.behaviour.name is not BehaviourName.CLOSE and case.behaviour.name not in JOINTED_CLOSING:
         name = case.behaviour.name.value
         raise NotCoveredError(
             f'behaviour.name = "{name}": simulate is for closing, palmar behaviours run for the others'

@@ -1,4 +1,4 @@
-"""The closing motion carried out tick by tick in any world, told as ``studies.simulate`` tells it."""
+"""A closing motion carried out tick by tick in any world, told as ``studies.simulate`` tells it."""
 
 from __future__ import annotations
 
@@ -7,16 +7,17 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from palmar.behaviours.build import drive_of
-from palmar.behaviours.close import Closing
+from palmar.behaviours.build import reflex_of
 from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.closing import Ends
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
+from palmar.models.jointed_motion import JOINTED_CLOSING
 from palmar.models.outcome import Outcome
 from palmar.models.sensors import Sensors, Stretch
 from palmar.models.support import SupportKind
 from palmar.studies.simulate import Simulation
+from palmar.worlds.planar import table
 from palmar.worlds.planar.bits import Sensing
 from palmar.worlds.planar.events import Event
 from palmar.worlds.run import Ended, Trace, run
@@ -46,6 +47,16 @@ def simulate_starts_in(case: Case, starts: ArrayLike, make: WorldMaker) -> Ends:
     )
 
 
+def film_in(case: Case, start: ArrayLike, make: WorldMaker) -> table.Trace:
+    """The poses and the angles of all joints from observation to observation."""
+    rows = _close(case, _rows(case, np.asarray(start, dtype=float))[0], make).rows
+    times = np.array([each.seen.time for each in rows])
+    kept = np.append(np.diff(times) > 0.0, True)
+    joints = np.array([(*each.seen.right, *each.seen.left) for each in rows])
+    psi = case.hand.open + case.hand.finger_rate * times
+    return table.Trace(psi[kept], np.array([each.pose for each in rows])[kept], joints[kept])
+
+
 def _close(case: Case, row: Floats, make: WorldMaker) -> Trace:
     """Close from one start, with a sensor on every part of the hand that tells of touches."""
     parts = tuple(Stretch(body=each) for each in _parts(case))
@@ -53,12 +64,12 @@ def _close(case: Case, row: Floats, make: WorldMaker) -> Trace:
     start = case.start.model_copy(update={"velocity": (vx, vy)})
     felt = case.model_copy(update={"sensors": Sensors(layout=parts), "start": start})
     world = make(felt, (x, y, theta), tick=TICK, sensing=Sensing(), massive=False)
-    return run(world, Closing(drive_of(case)), tuple(each.body for each in parts))
+    return run(world, reflex_of(case), tuple(each.body for each in parts))
 
 
 def _rows(case: Case, starts: ArrayLike) -> Floats:
     """Starts as (N, 5); what is not given is the case's."""
-    if case.behaviour.name is not BehaviourName.CLOSE:
+    if case.behaviour.name is not BehaviourName.CLOSE and case.behaviour.name not in JOINTED_CLOSING:
         name = case.behaviour.name.value
         raise NotCoveredError(
             f'behaviour.name = "{name}": simulate is for closing, palmar behaviours run for the others'

@@ -52,7 +52,7 @@ class World(Protocol):
 
 
 class WorldMaker(Protocol):
-    """Makes a world of a case, the object's frame at ``start`` (m, rad) in the hand frame, the fingers open and straight.
+    """Makes a world of a case, the object's frame at ``start`` (m, rad) in the hand frame, the fingers open.
 
     ``tick``: seconds between two observations; ``sensing``: faults of the sensors, None as the case says; ``massive``:
     whether touch does not move the object while only the arm moves. Raises NotCoveredError for what the world does not

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, cosh, sin, sqrt
+from math import acos, cos, cosh, sin, sqrt
 
 import numpy as np
 import pytest
@@ -65,3 +65,12 @@ def test_a_frictionless_disk_aside_goes_as_the_hyperbolic_cosine() -> None:
     run = solve_ivp(rates, (0.0, 0.8), [*start, *velocity], rtol=1e-9, atol=1e-12, method="DOP853")
     reached = turned(-0.8, run.y[:2, -1]) @ link - np.array([LENGTH, 0.0]) @ link
     assert reached - along == pytest.approx(aside * cosh(0.8), rel=1e-3)
+
+
+def test_a_short_distal_link_cuts_off_the_far_contacts_and_then_all() -> None:
+    """Clear contacts lie between 0.310 and 0.876 proximal links from the elbow here."""
+    least, most = centrifugal_angles(1.0, 2.0, 0.225, 0.0) or (0.0, 0.0)
+    low, high = -cos(least), -cos(most)
+    assert clearance(1.0, low) == pytest.approx(0.225) and clearance(1.0, high) == pytest.approx(0.225)
+    assert centrifugal_angles(1.0, 0.5, 0.225, 0.0) == pytest.approx((least, acos(-0.5)))
+    assert centrifugal_angles(1.0, 0.99 * low, 0.225, 0.0) is None

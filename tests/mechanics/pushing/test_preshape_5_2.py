@@ -97,3 +97,11 @@ def test_the_unit_of_length_does_not_matter() -> None:
 def test_the_source_s_disc_reaches_to_the_tip_of_the_bent_finger() -> None:
     assert disc_radius(3.0, 4.0, 0.5 * pi) == pytest.approx(5.0)
     assert disc_radius(PROXIMAL, DISTAL, 0.0) == PROXIMAL + DISTAL
+
+
+def test_a_straight_finger_rolls_in_what_presses_near_the_base() -> None:
+    offset = (-0.9 * RADIUS, 0.0)
+    disk = RidingDisk(RADIUS, disk_slider(RADIUS, 0.0, offset).surface, offset)
+    found = preshape(RidingFinger(PROXIMAL, 0.0), disk, DISTAL)
+    assert found is not None and found.angle == 0.0
+    assert found.moment == ride(RidingFinger(PROXIMAL, 0.0), disk, DISTAL, 0.0).moment > 0.0

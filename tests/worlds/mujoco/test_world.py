@@ -30,6 +30,8 @@ DISK = "[object]\nradius_mm = 38\n"
 BOX = '[object]\nshape = "polygon"\nvertices_mm = [[-30, -20], [30, -20], [30, 20], [-30, 20]]\n'
 ODD = '[object]\nshape = "polygon"\nvertices_mm = [[-25, -20], [35, -10], [20, 30], [-20, 25]]\n'
 FREE = '[contact]\nfriction = 0\n[support]\nkind = "free"\n'
+CURL = '[behaviour]\nname = "curl_and_close"\npreshape_deg = 20.3\n'
+BACK = '[behaviour]\nname = "close_coupled"\nratio = -1.0\nbend_deg = 41.0\n'
 REST = (0.0, 0.0)
 START = (0.01, 0.15, 0.0)
 
@@ -46,8 +48,10 @@ def starts(number: int, seed: int) -> np.ndarray:
         (HAND + BOX, 3, 8e-4, 0.01),
         (HAND + ODD + "[contact]\nfriction = 0\n", 2, 5e-4, 0.01),
         (HAND.replace("= 10", "= 40") + DISK + FREE, 3, 2e-3, 0.01),
+        (HAND + DISK + CURL, 3, 4e-4, 0.01),
+        (HAND + DISK + BACK, 3, 4e-4, 0.01),
     ],
-    ids=["disk", "thick", "box", "polygon without friction", "free"],
+    ids=["disk", "thick", "box", "polygon without friction", "free", "curl", "turning back"],
 )
 def test_closing_ends_as_in_the_planar_world(text: str, number: int, apart: float, turned: float) -> None:
     case = parse_case(text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from palmar.faces.cli.texts import notes, table
-from palmar.faces.words import carried_rows, jointed_rows
+from palmar.faces.words import carried_rows, change_line, jointed_rows, slope_row
 from palmar.models.case import Case
 from palmar.studies.closure_map import ClosureMap
 from palmar.studies.jointed_closure import JointedClosure
@@ -16,6 +16,11 @@ def jointed_text(case: Case, result: JointedClosure) -> str:
     lines = [table(jointed_rows(case, result)), "", f"This object: {result.object.reason}."]
     if result.cases:
         lines += ["", table([("Held without friction by", "radii"), *carried_rows(result.cases)])]
+    if result.changes:
+        lines += ["", "One of these changes alone would do:", *(f"  {change_line(each)}" for each in result.changes)]
+    if result.slopes:
+        heads = ("How the limits move", "largest radius", "smallest radius")
+        lines += ["", table([heads, *(slope_row(each) for each in result.slopes)])]
     return "\n".join(each.rstrip() for each in "\n".join(lines + notes(result.notes)).split("\n"))
 
 

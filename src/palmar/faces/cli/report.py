@@ -9,11 +9,16 @@ from cyclopts import App, Parameter
 
 from palmar.faces.cli.jointed_texts import jointed_text
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, progress, show
+from palmar.faces.cli.strategies import strategies_text
 from palmar.faces.cli.texts import closure_text, region_text, titled
+from palmar.faces.closing_records import preshape_record, strategies_record
+from palmar.faces.closing_words import preshape_words
 from palmar.faces.jointed_record import jointed_record
 from palmar.faces.records import closure_record, region_record
+from palmar.models.case import Case
 from palmar.models.shipped import open_case
-from palmar.studies.report import Report, report_facts
+from palmar.studies.report import Closings, Report, report_facts
+from palmar.studies.strategies import winner
 
 app = App(name="report")
 
@@ -31,10 +36,10 @@ def report(
     from palmar.faces.pages.report_page import report_page
 
     name, given = open_case(case)
+    path = make_folder(out) / f"{name}.html"
     facts = report_facts(name, given, progress)
     progress("pictures")
     page = report_page(facts)
-    path = make_folder(out) / f"{name}.html"
     write_whole(path, lambda partial: _write(partial, page))
     show(_text(facts, path), _record(facts, path), json)
     answer(facts.verdict.structural or facts.verdict.frictional, check)
@@ -49,7 +54,14 @@ def _text(facts: Report, path: Path) -> str:
     closure = closure_text(facts.case, facts.closure)
     if facts.jointed is not None:
         closure = jointed_text(facts.case, facts.jointed)
-    return titled(facts.name, facts.case, closure, *regions, f"Page: {path}")
+    closings = [] if facts.closings is None else [_closings_text(facts.case, facts.closings)]
+    return titled(facts.name, facts.case, closure, *regions, *closings, f"Page: {path}")
+
+
+def _closings_text(case: Case, told: Closings) -> str:
+    if told.preshapes is None:
+        return f"No closing strategies: {told.uncovered}."
+    return f"{strategies_text(told.strategies)}\n\n{preshape_words(case, told.preshapes)}"
 
 
 def _record(facts: Report, path: Path) -> dict[str, object]:
@@ -60,4 +72,12 @@ def _record(facts: Report, path: Path) -> dict[str, object]:
         **({} if bent is None else {"closure_kept_straight": straight}),
         "regions": [region_record(each) for each in facts.regions],
         "uncovered": facts.uncovered,
+        **({} if facts.closings is None else {"closings": _closings_record(facts.closings)}),
     }
+
+
+def _closings_record(told: Closings) -> dict[str, object] | None:
+    if told.preshapes is None:
+        return None
+    record = strategies_record(told.strategies, winner(told.strategies))
+    return {**record, "preshape": preshape_record(told.preshapes)}

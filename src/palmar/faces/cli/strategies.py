@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from math import degrees
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import App, Parameter
 
 from palmar.errors import InputError
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, progress, show
 from palmar.faces.cli.texts import table, titled
-from palmar.models.behaviour import BehaviourName
+from palmar.faces.closing_records import strategies_record
+from palmar.faces.closing_words import STRATEGY_HEADS, search_note, strategy_rows, strategy_verdict
 from palmar.models.shipped import open_case
 
 if TYPE_CHECKING:
-    from palmar.faces.words import Row
     from palmar.studies.strategies import Strategy
 
 app = App(name="strategies")
@@ -45,43 +44,14 @@ def strategies(
 
         save(strategies_picture(given, found), out)
     written = [f"Written: {out}"] if out is not None else []
-    show(titled(name, given, _text(found, best), *written), _record(found, best), json)
+    show(titled(name, given, strategies_text(found), *written), strategies_record(found, best), json)
     answer(best.region.area > 0.0, check)
 
 
-def _text(found: tuple[Strategy, ...], best: Strategy) -> str:
-    straight = found[0].region.area
-    rows: list[Row] = [("strategy", "", "area", "of straight closing", "guarantee")]
-    for each in found:
-        gain = "" if straight == 0.0 else f"{100.0 * each.region.area / straight:.1f} %"
-        rows.append((each.name, _value(each), f"{1e4 * each.region.area:.4g} cm2", gain, each.region.guarantee.value))
-    verdict = f"The largest region: {best.name}{', ' + _value(best) if best.value is not None else ''}."
-    if best.region.area == 0.0:
-        verdict = "None of them catches anything."
-    return f"{verdict}\n\n{table(rows)}"
+def strategies_text(found: tuple[Strategy, ...]) -> str:
+    """The winner, the table, and how it was searched."""
+    from palmar.studies.strategies import winner
 
-
-def _value(each: Strategy) -> str:
-    if each.value is None:
-        return ""
-    if each.behaviour.name is BehaviourName.CLOSE_COUPLED:
-        return f"distal {each.value:.3g} times as fast"
-    return f"curled by {degrees(each.value):.3g} deg"
-
-
-def _record(found: tuple[Strategy, ...], best: Strategy) -> dict[str, Any]:
-    return {
-        "best": best.name,
-        "strategies": [
-            {
-                "name": each.name,
-                "behaviour": each.behaviour.name.value,
-                "preshape_rad": each.value if each.behaviour.name is BehaviourName.CURL_AND_CLOSE else None,
-                "ratio": each.value if each.behaviour.name is BehaviourName.CLOSE_COUPLED else None,
-                "area_m2": each.region.area,
-                "guarantee": each.region.guarantee.value,
-                "spacing_m": each.region.spacing,
-            }
-            for each in found
-        ],
-    }
+    note = search_note(found)
+    parts = [strategy_verdict(found, winner(found)), table([STRATEGY_HEADS, *strategy_rows(found)])]
+    return "\n\n".join(parts + ([f"{note[0].upper()}{note[1:]}."] if note else []))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
 from math import cos, sin
 from pathlib import Path
 
@@ -42,10 +43,21 @@ def _draw_hand(space: Modelspace, case: Case) -> None:
     d, length = 1e3 * hand.half_palm, 1e3 * hand.finger_length
     space.add_line((-d, 0.0), (d, 0.0), dxfattribs={"layer": "PALMAR_HAND"})
     for side in (1.0, -1.0):
-        tip = (side * (d + length * cos(hand.open)), length * sin(hand.open))
-        space.add_line((side * d, 0.0), tip, dxfattribs={"layer": "PALMAR_HAND"})
+        x, y = side * d, 0.0
+        for link, lean in _links(case):
+            tip = (x + side * 1e3 * link * cos(lean), y + 1e3 * link * sin(lean))
+            space.add_line((x, y), tip, dxfattribs={"layer": "PALMAR_HAND"})
+            x, y = tip
     label = space.add_text("palmar: lengths in mm", height=0.04 * length, dxfattribs={"layer": "PALMAR_HAND"})
     label.set_placement((0.0, -0.1 * length), align=TextEntityAlignment.MIDDLE_CENTER)
+
+
+def _links(case: Case) -> list[tuple[float, float]]:
+    """Length (m) and direction (rad) of each link of the open hand; a straight finger is one."""
+    hand, joints = case.hand, case.open_joints
+    if not any(joints[1:]):
+        return [(hand.finger_length, hand.open)]
+    return list(zip(hand.finger_links, accumulate(joints), strict=True))
 
 
 def _draw_object(space: Modelspace, case: Case) -> None:

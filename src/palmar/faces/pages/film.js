@@ -28,11 +28,13 @@ const number = (value, digits) => {
 };
 
 function draw() {
-  const { index, pose: [x, y, turn], fingers: [right, left], palm } = placeAt(now);
+  const { index, pose: [x, y, turn], fingers, palm } = placeAt(now);
+  const half = fingers.length / 2;
+  const sides = { right: fingers.slice(0, half), left: fingers.slice(half) };
   get("hand").setAttribute("transform", `translate(0 ${-palm})`);
   get("object").setAttribute("transform", `translate(${x} ${-y}) rotate(${-turn})`);
-  get("right").setAttribute("transform", `translate(${film.half_palm} 0) rotate(${-right})`);
-  get("left").setAttribute("transform", `translate(${-film.half_palm} 0) scale(-1 1) rotate(${-left})`);
+  for (const [side, joints] of Object.entries(sides))
+    joints.forEach((angle, k) => get(`${side}-${k}`).setAttribute("transform", `rotate(${-angle})`));
   const gone = film.poses.slice(0, index + 1).map(([px, py]) => `${px},${-py}`);
   get("gone").setAttribute("points", [...gone, `${x},${-y}`].join(" "));
   document.querySelectorAll(".contact").forEach((dot, i) => {
@@ -43,7 +45,8 @@ function draw() {
   get("now-time").textContent = `${number(now, 3)} s of ${number(duration, 3)} s`;
   get("now-place").textContent = `${number(x, 2)}, ${number(y, 2)} mm`;
   get("now-turn").textContent = `${number(turn, 2)}\u00b0`;
-  get("now-fingers").textContent = `${number(left, 1)}\u00b0, ${number(right, 1)}\u00b0`;
+  get("now-fingers").textContent = [sides.left, sides.right]
+    .map((joints) => joints.map((angle) => `${number(angle, 1)}\u00b0`).join(" + ")).join(", ");
   time.value = now;
   time.setAttribute("aria-valuetext", `${number(now, 2)} seconds`);
   const past = entries.filter((each) => Number(each.dataset.time) <= now + 1e-9).pop();

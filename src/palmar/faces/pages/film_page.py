@@ -26,7 +26,7 @@ SIDE, BELOW, ABOVE = 0.07, 0.07, 0.03
 def film_page(film: Scene) -> str:
     """The page's HTML; no request leaves it."""
     return Template(_resource("film.html")).substitute(
-        title=escape(f"{headline('Closing', film.case)}, friction {film.case.contact.friction:.3g}"),
+        title=escape(f"{headline(film.doing, film.case)}, friction {film.case.contact.friction:.3g}"),
         style=_resource("film.css"),
         script=_resource("film.js"),
         verdict=escape(f"{film.verdict}."),
@@ -47,10 +47,9 @@ def film_page(film: Scene) -> str:
 
 
 def _data(film: Scene) -> dict[str, object]:
-    """Everything that changes with time: s, mm, degrees; fingers right and left; the palm's height."""
+    """Everything that changes with time: s, mm, degrees; fingers right and left, joint by joint; the palm's height."""
     places = np.column_stack((MM * film.poses[:, :2], np.degrees(film.poses[:, 2])))
     return {
-        "half_palm": MM * film.case.hand.half_palm,
         "times": [float(f"{each:.9g}") for each in film.times[:-1]] + [film.duration],
         "poses": _short(places),
         "fingers": _short(np.degrees(film.fingers)),
@@ -137,25 +136,42 @@ def _mark(film: Scene) -> str:
 
 
 def _fingers(film: Scene) -> str:
-    """Both fingers along the x axis from their base joints; the script turns them."""
-    hand = film.case.hand
-    length, h = MM * hand.finger_length, MM * hand.half_thickness
-    base = MM * hand.half_palm
+    """Palm and both fingers along the x axis from their base joints; the script turns each part about its joint."""
+    base = MM * film.case.hand.half_palm
+    right, left = film.at(0.0)[1]
+    return (
+        f'<g id="hand" transform="translate(0 {_mm(-film.palm_at(0.0))})">'
+        f'<line class="palm" x1="{-base:.6g}" x2="{base:.6g}"/>'
+        f'<g transform="translate({-base:.6g} 0) scale(-1 1)">{_finger(film, "left", left)}</g>'
+        f'<g transform="translate({base:.6g} 0)">{_finger(film, "right", right)}</g></g>'
+    )
+
+
+def _finger(film: Scene, side: str, joints: tuple[float, ...]) -> str:
+    """Its parts, each in the frame of the one before, turned about its own joint; those at the tip are drawn first."""
+    hand, drawn = film.case.hand, ""
+    count = len(film.bodies)
+    for k in reversed(range(count)):
+        links = hand.finger_links if count == 1 else hand.finger_links[k : k + 1]
+        at = MM * sum(film.bodies[:k][-1:])
+        drawn = (
+            f'<g transform="translate({at:.6g} 0)"><g id="{side}-{k}" transform="rotate({-degrees(joints[k]):.6g})">'
+            f"{drawn}{_part(links, hand.half_thickness)}</g></g>"
+        )
+    return drawn
+
+
+def _part(links: tuple[float, ...], half_thickness: float) -> str:
+    """Links in a row along the x axis, with their joints."""
+    length, h = MM * sum(links), MM * half_thickness
     if h:
         size = f'width="{length + 2.0 * h:.6g}" height="{2.0 * h:.6g}"'
         body = f'<rect class="capsule" x="{-h:.6g}" y="{-h:.6g}" {size} rx="{h:.6g}"/>'
         body += f'<line class="axis" x2="{length:.6g}"/>'
     else:
         body = f'<line class="finger" x2="{length:.6g}"/>'
-    joints = [0.0, *accumulate(hand.finger_links[:-1])]
-    body += "".join(f'<circle class="joint" cx="{_mm(each)}" data-r="4" r="0"/>' for each in joints)
-    right, left = film.fingers[0]
-    return (
-        f'<g id="hand" transform="translate(0 {_mm(-film.palm_at(0.0))})">'
-        f'<line class="palm" x1="{-base:.6g}" x2="{base:.6g}"/>'
-        f'<g id="left" transform="translate({-base:.6g} 0) scale(-1 1) rotate({-degrees(left):.6g})">{body}</g>'
-        f'<g id="right" transform="translate({base:.6g} 0) rotate({-degrees(right):.6g})">{body}</g></g>'
-    )
+    joints = [0.0, *accumulate(links[:-1])]
+    return body + "".join(f'<circle class="joint" cx="{_mm(each)}" data-r="4" r="0"/>' for each in joints)
 
 
 def _mm(length: float) -> str:

@@ -49,7 +49,7 @@ def compare_picture(case: Case, comparison: Comparison) -> Figure:
         if each.end is not None and each.outcome is not None:
             draw_object(axes, case.object, each.end, case.start.theta, role=Role.GHOST, fill=0.3)
             label(axes, each.end, f"ends here: {each.outcome.value}", (9.0, 5.0))
-    draw_hand(axes, case.hand, case.hand.open)
+    draw_hand(axes, case.hand, case.hand.open, distal=case.open_joints[1:])
     legend(page, (MARGIN, page.box(axes).bottom), bands)
     return page.figure
 

@@ -39,12 +39,12 @@ def _touching(body: str, psi: Floats, result: Simulation) -> NDArray[np.bool_]:
 
 def _feet(case: Case, body: str, pose: Floats, fingers: Floats) -> list[Place]:
     """The points of one part of the hand, or of the wall, that lie on the object."""
-    hand, height = case.hand, case.palm_ahead(fingers[:1].tolist(), fingers[1:].tolist())
+    sides = np.split(fingers, 2)
+    hand, height = case.hand, case.palm_ahead(sides[0].tolist(), sides[1].tolist())
     name, _, part = body.partition("_")
     if name in SIDES:
-        points = finger_points(hand, (fingers[SIDES.index(name)],), left=name == "left")
-        points = points + np.array([0.0, height])
-        ends, half = points[[0, -1]] if part != "tip" else points[[-1, -1]], hand.half_thickness
+        points = finger_points(hand, sides[SIDES.index(name)].tolist(), left=name == "left")
+        ends, half = (points + np.array([0.0, height]))[_between(part)], hand.half_thickness
     elif name == "wall":
         assert case.support.wall is not None
         x, side, height = float(pose[0]), object_reach(case.object), case.support.wall
@@ -56,6 +56,16 @@ def _feet(case: Case, body: str, pose: Floats, fingers: Floats) -> list[Place]:
     else:
         pairs = _nearest_pairs(ends, turned(case.object.vertices, pose[2]) + pose[:2], NEAR * hand.finger_length)
     return [_on_surface(foot, point, half) for foot, point in pairs]
+
+
+def _between(part: str) -> list[int]:
+    """Numbers of the two joints, the tip last, between which a part of a finger is: link_1, joint_2, tip, or all of it."""
+    if part == "tip":
+        return [-1, -1]
+    what, _, number = part.partition("_")
+    if not number:
+        return [0, -1]
+    return [int(number) - 1, int(number) - (what == "joint")]
 
 
 def _nearest_pairs(ends: Floats, outline: Floats, near: float) -> list[tuple[Floats, Floats]]:

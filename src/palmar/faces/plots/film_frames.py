@@ -41,7 +41,7 @@ def moments(film: Scene) -> list[float]:
 
 def frames(film: Scene, times: Sequence[float]) -> Iterator[NDArray[np.uint8]]:
     """RGB pictures (height, width, 3) of the motion at these times (s), both sizes even."""
-    title = headline("Closing", film.case)
+    title = headline(film.doing, film.case)
     page = sheet([[film.extent]], title=f"{title}, {_friction(film)}", room=ROOM)
     axes = page.panels[0][0]
     _ticks(axes, film)
@@ -101,16 +101,13 @@ class _Moving:
     def __init__(self, axes: Axes, film: Scene) -> None:
         self.axes, self.film, hand = axes, film, film.case.hand
         self.thing = _made(axes, lambda: _object(axes, film))
-        self.right = _made(axes, lambda: draw_finger(axes, hand, (0.0,)))
-        self.left = _made(axes, lambda: draw_finger(axes, hand, (0.0,), left=True))
+        self.bends = len(film.bodies) > 1
+        self.right, self.left = self._fingers((0.0,), (0.0,))
         (self.gone,) = _made(axes, lambda: stroke(axes, [(0.0, 0.0)], Role.SMALLEST, level=GONE_LEVEL, width=NORMAL))
         self.palm = _made(axes, lambda: draw_palm(axes, hand))
         most = max(len(each) for each in film.contacts)
         self.dots = [_dot(axes, (0.0, 0.0), CONTACT_SIZE, Role.FORCE, CONTACT_LEVEL) for _ in range(most)]
-        every = [*self.thing, *self.palm, *self.left, *self.right, self.gone, *self.dots]
-        self.artists = sorted(every, key=lambda each: float(each.get_zorder()))
-        for artist in every:
-            artist.set_animated(True)
+        self._in_order()
 
     def draw(self, time: float) -> None:
         """Draw the moment (s) onto the canvas."""
@@ -119,8 +116,14 @@ class _Moving:
         self._place(self.thing, Affine2D().rotate(turn).translate(MM * x, MM * y))
         height = MM * film.palm_at(time)
         self._place(self.palm, Affine2D().translate(0.0, height))
-        self._place(self.right, Affine2D().rotate_around(base, 0.0, right).translate(0.0, height))
-        self._place(self.left, Affine2D().rotate_around(-base, 0.0, -left).translate(0.0, height))
+        if self.bends:
+            for artist in (*self.right, *self.left):
+                artist.remove()
+            self.right, self.left = self._fingers(right, left)
+            self._in_order()
+        else:
+            self._place(self.right, Affine2D().rotate_around(base, 0.0, right[0]).translate(0.0, height))
+            self._place(self.left, Affine2D().rotate_around(-base, 0.0, -left[0]).translate(0.0, height))
         self.gone.set(data=MM * np.vstack((film.poses[film.times < time, :2], (x, y))).T)
         points = film.contacts[film.index(time)]
         for k, dot in enumerate(self.dots):
@@ -129,6 +132,20 @@ class _Moving:
                 self._place([dot], Affine2D().translate(MM * points[k][0], MM * points[k][1]))
         for artist in self.artists:
             self.axes.draw_artist(artist)
+
+    def _fingers(self, right: Sequence[float], left: Sequence[float]) -> tuple[list[Any], list[Any]]:
+        """The artists of both fingers at joint angles (rad); fingers that bend are made anew for every picture."""
+        axes, hand = self.axes, self.film.case.hand
+        return (
+            _made(axes, lambda: draw_finger(axes, hand, right)),
+            _made(axes, lambda: draw_finger(axes, hand, left, left=True)),
+        )
+
+    def _in_order(self) -> None:
+        every = [*self.thing, *self.palm, *self.left, *self.right, self.gone, *self.dots]
+        self.artists = sorted(every, key=lambda each: float(each.get_zorder()))
+        for artist in every:
+            artist.set_animated(True)
 
     def _place(self, artists: list[Artist], motion: Affine2D) -> None:
         for artist in artists:

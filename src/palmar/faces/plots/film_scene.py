@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil, degrees, floor, log, log10
 
@@ -12,6 +13,7 @@ from palmar.faces.plots.film_contacts import contacts
 from palmar.faces.plots.hand import WALL_ROOM, finger_points
 from palmar.faces.plots.sheet import MM, Extent
 from palmar.geometry.polygon import area_centroid
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
@@ -19,6 +21,7 @@ from palmar.studies.simulate import Simulation, film
 
 Floats = NDArray[np.float64]
 Place = tuple[float, float]
+Fingers = tuple[tuple[float, ...], tuple[float, ...]]
 
 FRAMES = 241
 """Poses over the whole closing motion, a motion that ends earlier has fewer."""
@@ -49,7 +52,9 @@ _DONE = {
 
 @dataclass(frozen=True)
 class Scene:
-    """One motion: times (K,) s, poses (K, 3) in m and rad, base angles (K, 2) right and left in rad.
+    """One motion: times (K,) s, poses (K, 3) in m and rad, joint angles in rad: right finger's, then left's.
+
+    Of fingers that stay straight they are base angles (K, 2), else those of all joints (K, 2 links).
 
     ``contacts`` holds for every pose the points (m) where the hand touches; ``events`` times (s) and words; ``pace``
     the seconds of the motion that one second of the film shows.
@@ -89,12 +94,26 @@ class Scene:
         """The last pose that is not later than ``time`` (s)."""
         return int(np.searchsorted(self.times, time, side="right")) - 1
 
-    def at(self, time: float) -> tuple[tuple[float, float, float], tuple[float, float]]:
-        """Pose (m, m, rad) and base angles right and left (rad) at any time (s), linear between the poses."""
-        x, y, turn, right, left = (
+    def at(self, time: float) -> tuple[tuple[float, float, float], Fingers]:
+        """Pose (m, m, rad) and joint angles right and left (rad) at any time (s), linear between the poses."""
+        x, y, turn, *joints = (
             float(np.interp(time, self.times, column)) for column in (*self.poses.T, *self.fingers.T)
         )
-        return (x, y, turn), (right, left)
+        return (x, y, turn), split(joints)
+
+    @property
+    def doing(self) -> str:
+        """What the hand does, for a heading."""
+        does = self.case.behaviour
+        if does.name is BehaviourName.CURL_AND_CLOSE:
+            return f"Curling by {degrees(does.preshape):.3g}°, then closing"
+        return "Closing both joints" if does.name is BehaviourName.CLOSE_COUPLED else "Closing"
+
+    @property
+    def bodies(self) -> tuple[float, ...]:
+        """Lengths (m) of a finger's parts that turn each by itself: all links, or the straight finger."""
+        links = self.case.hand.finger_links
+        return links if self.fingers.shape[1] == 2 * len(links) else (self.case.hand.finger_length,)
 
     @property
     def verdict(self) -> str:
@@ -117,7 +136,7 @@ class Scene:
         case, size = self.case, _size(self.case)
         hand = case.hand
         low, high = self.poses[:, :2].min(axis=0) - size, self.poses[:, :2].max(axis=0) + size
-        points = np.concatenate([finger_points(hand, (psi,)) for psi in self.fingers.ravel()])
+        points = np.concatenate([finger_points(hand, side) for row in self.fingers.tolist() for side in split(row)])
         points = np.abs(points) + hand.half_thickness
         side, top = points.max(axis=0)
         bottom = min(self.palm_at(time) for time in self.times) - hand.half_thickness
@@ -128,19 +147,26 @@ class Scene:
     def palm_at(self, time: float) -> float:
         """Height (m) of the palm, 0 unless a wall keeps the hand back."""
         right, left = self.at(time)[1]
-        return self.case.palm_ahead((right,), (left,))
+        return self.case.palm_ahead(right, left)
+
+
+def split(joints: Sequence[float]) -> Fingers:
+    """Joint angles of the right finger and of the left, from both in one row."""
+    half = len(joints) // 2
+    return tuple(joints[:half]), tuple(joints[half:])
 
 
 def scene(case: Case, start: tuple[float, ...], result: Simulation) -> Scene:
     """The motion from ``start`` (x, y, theta[, vx, vy]) that ``result`` describes, from time 0 to its last event."""
     first, rate = case.hand.open, case.hand.finger_rate
     end = result.events[-1][1].psi if result.events else first
-    times, poses, fingers = np.array([0.0]), np.array([result.pose]), np.array([[first, first]])
+    times, poses, fingers = np.array([0.0]), np.array([result.pose]), np.array([[*result.right, *result.left]])
     if result.outcome is not Outcome.INVALID:
         whole = film(case, start, FRAMES)
         kept = whole.psi < end - 1e-9
         poses = np.vstack((whole.poses[kept], result.pose))
-        fingers = np.vstack((whole.fingers[kept], (result.right[0], result.left[0])))
+        count = whole.fingers.shape[1] // 2
+        fingers = np.vstack((whole.fingers[kept], (*result.right[:count], *result.left[:count])))
         times = np.append(whole.psi[kept], end) - first
     return Scene(
         case, result.outcome, times / rate, poses, fingers, contacts(case, times + first, poses, fingers, result),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import radians
 
 import numpy as np
@@ -26,7 +27,6 @@ from palmar.geometry.planar_set import seen_from_object as from_object
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
-from palmar.models.hand import Hand
 from palmar.models.objects import Disk
 from palmar.regions.on_the_wall import resting_height
 from palmar.regions.region import Region
@@ -78,7 +78,7 @@ def region_pictures(
     scenes = [_scene(case, each, seen_from_object, object_at) for each in regions]
     bands = _bands_drawn(scenes, PALM_ERROR if seen_from_object else ERROR)
     sides = replace(ROOM.sides, bottom=LEGEND_ROW * ((len(bands) + 1) // 2) + 2.0)
-    beside = 3.0 if case.hand.open < FAIR or seen_from_object else 10.0
+    beside = 3.0 if sum(case.open_joints) < FAIR or seen_from_object else 10.0
     room = replace(ROOM, sides=sides, inside=replace(ROOM.inside, left=beside, right=beside))
     title = "Where the hand may start" if seen_from_object else "Where the object may start"
     name = case.behaviour.name
@@ -133,7 +133,7 @@ def _valid_start(region: Region) -> Place | None:
 
 def _extent(case: Case, scene: _Scene) -> Extent:
     hand, (x, y) = case.hand, scene.hand_at
-    points = np.abs(finger_points(hand, (hand.open,)))
+    points = np.abs(finger_points(hand, case.open_joints))
     side, top = points.max(axis=0) + hand.half_thickness
     extent = Extent(x - side, y - hand.half_thickness, x + side, y + top)
     for area, _ in scene.sets:
@@ -153,13 +153,13 @@ def _draw(axes: Axes, case: Case, scene: _Scene, theta: float) -> None:
         draw_wall(axes, scene.hand_at[1] + case.support.wall)
     size = object_reach(case.object)
     draw_object(axes, case.object, scene.object_at or (0.0, size), theta, fill=0.6)
-    draw_hand(axes, case.hand, case.hand.open, at=scene.hand_at)
+    draw_hand(axes, case.hand, case.hand.open, distal=case.open_joints[1:], at=scene.hand_at)
     if scene.allowed is not None:
         circle = scene.allowed
         draw_object(axes, Disk(radius=circle.radius), circle.centre, role=ERROR.role, fill=0.0)
         radius_dimension(axes, circle.centre, circle.radius, ALONG, role=ERROR.role)
     if scene.hand_at == (0.0, 0.0):
-        _hand_dimensions(axes, case.hand)
+        _hand_dimensions(axes, case)
 
 
 def _row_on_the_wall(axes: Axes, case: Case, region: Region, scene: _Scene) -> None:
@@ -170,16 +170,21 @@ def _row_on_the_wall(axes: Axes, case: Case, region: Region, scene: _Scene) -> N
             stroke(axes, MM * np.array([(low, height), (high, height)]), Role.CENTRE, level=ROW_LEVEL, width=HEAVY)
 
 
-def _hand_dimensions(axes: Axes, hand: Hand) -> None:
-    """Palm width and finger length as dimensions, or in words below a hand that is too small on paper for them."""
+def _hand_dimensions(axes: Axes, case: Case) -> None:
+    """Palm width and finger length (of a bent finger its links) as dimensions, or in words below a small hand."""
+    hand = case.hand
     gap = 5.0 + MM * hand.half_thickness / per_paper_mm(axes)
     palm, finger = millimetres(hand.palm_width), millimetres(hand.finger_length)
     if not text_fits(axes, hand.palm_width, palm) and not text_fits(axes, hand.finger_length, finger):
         note(axes, (0.0, -gap * per_paper_mm(axes) / MM), f"palm {palm}, finger {finger}", role=Role.DIMENSION)
         return
-    base, *_, tip = finger_points(hand, (hand.open,))
+    points = [(float(x), float(y)) for x, y in finger_points(hand, case.open_joints)]
     dimension(axes, (-hand.half_palm, 0.0), (hand.half_palm, 0.0), palm, -gap)
-    dimension(axes, tuple(base), tuple(tip), finger, -gap)
+    if any(case.open_joints[1:]):
+        for length, ends in zip(hand.finger_links, pairwise(points), strict=True):
+            dimension(axes, *ends, millimetres(length), -gap)
+    else:
+        dimension(axes, points[0], points[-1], finger, -gap)
 
 
 def millimetre_ticks(axes: Axes) -> None:

@@ -15,7 +15,7 @@ from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.studies.strategies import Strategy, winner
 
-COLUMNS = 2
+MOST_COLUMNS = 3
 CAPTION = 11.0
 """Room (mm) above each panel for its two lines."""
 
@@ -24,7 +24,8 @@ def strategies_picture(case: Case, found: tuple[Strategy, ...]) -> Figure:
     """All at one scale; the title names the winner."""
     best = winner(found)
     extent = _extent(case, found)
-    rows = [list(found[k : k + COLUMNS]) for k in range(0, len(found), COLUMNS)]
+    columns = 2 if len(found) % 2 == 0 else MOST_COLUMNS
+    rows = [list(found[k : k + columns]) for k in range(0, len(found), columns)]
     page = sheet(
         [[extent for _ in row] for row in rows],
         title=f"Where the object may start, by closing strategy: {best.name} catches from most",

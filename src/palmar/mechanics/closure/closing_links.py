@@ -21,6 +21,11 @@ class LimitedHand:
     friction_angle: float = 0.0
     half_thickness: float = 0.0
     crossing: bool = True
+    coupling: tuple[float, float, float] | None = None
+    """(base angle, distal angle, ratio): the second joint is never behind distal + ratio (psi - base); None: it is free.
+
+    The linkage of one motor a finger: the joints turn together until the first link is held up, then the next goes on.
+    """
 
     @property
     def size(self) -> float:
@@ -61,6 +66,10 @@ class ClosingLinks:
         """Lowest and highest direction (rad), that which meets the disk, reach left (share), whether met tangentially."""
         hand, k = self._hand, len(self.angles)
         length, (low, high) = hand.links[k], hand.limits[k]
+        behind: Floats | float = low
+        if hand.coupling is not None and k == 1:
+            base, bend, ratio = hand.coupling
+            behind = np.maximum(low, bend + ratio * (self.angles[0] - base))
         dip = np.arcsin(np.clip(self._y / length, 0.0, 1.0))
         free = self._y >= length
         lowest = np.where(free, -np.inf, -dip)
@@ -76,7 +85,7 @@ class ClosingLinks:
         reach = (length + self._rho - far) / hand.size
         self._inside = np.where(far < self._rho * (1.0 - 1e-12), (far - self._rho) / hand.size, np.inf)
         return (
-            np.maximum(self._direction + low, lowest), np.minimum(self._direction + high, highest),
+            np.maximum(self._direction + behind, lowest), np.minimum(self._direction + high, highest),
             towards - aside, reach, tangent,
         )  # fmt: skip
 

@@ -121,14 +121,17 @@ def _closer(hand: LimitedHand, radii: Floats, margins: Floats) -> tuple[Floats, 
 
 
 def _end(hand: LimitedHand, between: tuple[float, float], held_below: bool) -> float:
-    """Where holding ends or begins between two radii: the side that is held."""
+    """Where holding ends or begins between two radii: the side that is held.
+
+    The last held radius counts, whatever the search missed before it: a stance that was found is there.
+    """
     low, high = between
     ways = [way for way in _ways(hand) if _searched(way, np.array(between), LEVELS).margin.max() > -NEARLY]
     for _ in range(ROUNDS):
         radii = np.linspace(low, high, FINER_RADII)
         held = _greatest(ways, radii, LEVELS) >= HELD
         held[0], held[-1] = held_below, not held_below
-        at = int(np.flatnonzero(held != held_below)[0])
+        at = int(np.flatnonzero(held)[-1]) + 1 if held_below else int(np.flatnonzero(held)[0])
         low, high = float(radii[at - 1]), float(radii[at])
     return low if held_below else high
 

@@ -48,7 +48,7 @@ def _jointed(case: Case, radius: float) -> CaptureHand:
     if does.name is BehaviourName.CLOSE_COUPLED:
         return closing_hand(
             hand.half_palm, hand.finger_links, radius, hand.half_thickness, first=hand.open, rate=hand.finger_rate,
-            limit=coupled_limit(case), offsets=[0.0], ratios=[does.ratio], colliding=colliding,
+            limit=coupled_limit(case), offsets=[does.bend], ratios=[does.ratio], colliding=colliding,
         )  # fmt: skip
     bend, rate = curl_of(case), hand.finger_rate
     programme = [(bend / rate, np.array([[0.0, rate]] * 2)), (inf, np.array([[rate, 0.0]] * 2))]

@@ -17,7 +17,7 @@ cos(theta - delta); see docs/derivations/preshape.md.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan2, cos, hypot, pi, sin
+from math import cos, hypot, pi, sin
 
 from scipy.optimize import brentq
 
@@ -78,7 +78,10 @@ def ride(finger: RidingFinger, disk: RidingDisk, along: float, angle: float) -> 
 
 
 def preshape(finger: RidingFinger, disk: RidingDisk, along: float) -> Ride | None:
-    """The ride without rolling, at the least angle between 0 and 90 degrees; None if every angle rolls the disk out."""
+    """The ride without rolling, at the least angle between 0 and 90 degrees; None if every angle rolls the disk out.
+
+    0 where even the straight finger rolls it in, which takes a pressure centre far off.
+    """
     if ride(finger, disk, along, 0.5 * pi).moment <= 0.0:
         return None
     if ride(finger, disk, along, 0.0).moment >= 0.0:
@@ -90,8 +93,3 @@ def preshape(finger: RidingFinger, disk: RidingDisk, along: float) -> Ride | Non
 def disc_radius(proximal: float, distal: float, angle: float) -> float:
     """Of the disc about the base joint that the source takes for the contact region: to the tip of the bent finger (m)."""
     return hypot(proximal + distal * cos(angle), distal * sin(angle))
-
-
-def tip_bearing(proximal: float, distal: float, angle: float) -> float:
-    """Angle (rad) of the tip of the bent finger as seen from its base, from the proximal link."""
-    return atan2(distal * sin(angle), proximal + distal * cos(angle))

@@ -248,7 +248,7 @@ def mujoco_world(
     step: float | None = None,
     law: TableLaw = TableLaw.EXACT,
 ) -> MujocoWorld:
-    """As ``feedback_world``: the object's frame at ``start`` (m, rad) in the hand frame, the fingers open and straight.
+    """As ``feedback_world``: the object's frame at ``start`` (m, rad) in the hand frame, the fingers open.
 
     The object has the velocity of the case's start. ``step`` (s): of the simulation, else as the scene has it;
     ``law``: how friction with the table is had. Raises
@@ -266,8 +266,7 @@ def _begin(kind: type[Made], scene: Scene, start: Place, tick: float, sensing: S
     servos = servos_of(scene, model, data)
     if scene.bed is not None:
         servos = bed_servos(servos, scene.bed)
-    straight = (hand.open, *(0.0 for _ in hand.finger_links[1:]))
-    servos.place((straight, straight))
+    servos.place((case.open_joints, case.open_joints))
     judge = judge_of(scene, (x, y, theta))
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing
     bits = bits_of(hand, case.sensors.stretches(hand), faults)

@@ -152,7 +152,7 @@ def feedback_world(
     sensing: Sensing | None = None,
     massive: bool = False,
 ) -> FeedbackWorld:
-    """The world of a case, its object's frame at ``start`` (m, rad) in the hand frame, the fingers open and straight.
+    """The world of a case, its object's frame at ``start`` (m, rad) in the hand frame, the fingers open.
 
     ``sensing`` is as the case says unless given. Raises NotCoveredError for objects not on a table and fingers of too many
     links.
@@ -169,8 +169,7 @@ def feedback_world(
     if massive and wall < inf:
         raise NotCoveredError("support.wall_mm: an object that stays where it is touched needs no wall to be held back")
     carriage = Carriage(hand, body, bench(0), scale_of(hand.finger_length, body, TOLERANCE), (x, y, theta), wall)
-    straight = (hand.open, *(0.0 for _ in range(count - 1)))
-    angles = straight, straight
+    angles = case.open_joints, case.open_joints
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing
     bits = bits_of(hand, case.sensors.stretches(hand), faults)
     fingers = FingerPair(travel_of(hand), angles)

@@ -47,20 +47,20 @@ class FreeWorld:
 
     def start(
         self, start: ArrayLike
-    ) -> tuple[Outcome, tuple[float, float, float], tuple[float, float], tuple[Event, ...]]:
-        """Outcome, final pose (x, y, theta), final base angles (right, left) and events of one start (5,).
+    ) -> tuple[Outcome, tuple[float, float, float], tuple[float, ...], tuple[Event, ...]]:
+        """Outcome, final pose (x, y, theta), final joint angles (right finger's, left's) and events of one start (5,).
 
-        A lost disk is followed until the fingers end.
+        A lost disk is followed until the fingers end. Straight, stiff links count as one.
         """
         outcome, log = self._run(self.hand, start)
         if outcome is Outcome.INVALID:
             x, y, theta = (float(each) for each in np.asarray(start, dtype=float)[:3])
-            return outcome, (x, y, theta), (self.first, self.first), ()
+            return outcome, (x, y, theta), tuple(self._joints(np.array([0.0]))[0].tolist()), ()
         x, y, theta = self._last(log, outcome, float(np.asarray(start)[2]))
         known = [self._event(row) for row in log if int(row[1]) in _KINDS]
         end = self._end(log, outcome)
-        right, left = (float(each) for each in self._angles(log, np.array([end]))[0])
-        return outcome, (x, y, theta), (right, left), (*known, Event(self._clock(end), "end", outcome.value))
+        joints = tuple(self._angles(log, np.array([end]))[0].tolist())
+        return outcome, (x, y, theta), joints, (*known, Event(self._clock(end), "end", outcome.value))
 
     def trace(self, start: ArrayLike, frames: int) -> Trace:
         """Poses at ``frames`` equal steps of time from a valid start (5,) to its end."""
@@ -94,13 +94,19 @@ class FreeWorld:
         return float(x), float(y), theta + turned
 
     def _angles(self, log: Floats, times: Floats) -> Floats:
-        """Base angles (N, 2; rad), right and left, at times (s): as prescribed, or as impacts have slowed the fingers."""
+        """Joint angles (N, 2 links; rad), right finger's first, at times (s): as prescribed, or as impacts slowed them."""
         if self.law.torque == inf:
-            return np.column_stack([np.interp(times, self.hand.times, self.hand.angles[:, f, 0]) for f in (0, 1)])
+            return self._joints(times)
         k = np.maximum(np.searchsorted(log[:, 0], times, side="right") - 1, 0)
         past = times - log[k, 0]
         rows = [log[k, FINGERS + 3 * f : FINGERS + 3 * f + 3] for f in (0, 1)]
         return np.column_stack([row[:, 0] + (row[:, 1] + 0.5 * row[:, 2] * past) * past for row in rows])
+
+    def _joints(self, times: Floats) -> Floats:
+        """As prescribed."""
+        links = range(len(self.hand.lengths))
+        turned = [[np.interp(times, self.hand.times, self.hand.angles[:, f, j]) for j in links] for f in (0, 1)]
+        return np.concatenate([np.diff(each, axis=0, prepend=0.0) for each in turned]).T
 
     def _clock(self, time: float) -> float:
         return self.first + self.rate * time
@@ -111,9 +117,16 @@ class FreeWorld:
             return Event(psi, "shut", "hand")
         if body == 0:
             return Event(psi, _KINDS[kind], "palm")
-        side = "right" if body <= len(self.hand.lengths) else "left"
-        part = {END: "tip", BASE: "joint"}.get(feature, "link")
-        return Event(psi, _KINDS[kind], f"{side}_{part}")
+        links = len(self.hand.lengths)
+        finger, link = divmod(body - 1, links)
+        if links == 1:
+            part = {END: "tip", BASE: "joint"}.get(feature, "link")
+        elif feature in (END, BASE):
+            joint = link + (feature == END)
+            part = "tip" if joint == links else f"joint_{joint + 1}"
+        else:
+            part = f"link_{link + 1}"
+        return Event(psi, _KINDS[kind], f"{('right', 'left')[finger]}_{part}")
 
 
 def _between(log: Floats) -> Floats:

@@ -137,7 +137,7 @@ def free_feedback_world(
     sensing: Sensing | None = None,
     tracker: Tracker | None = None,
 ) -> FreeFeedbackWorld:
-    """The world of a case, its disk at ``start`` (m, rad) in the hand frame at the case's start velocity, fingers straight.
+    """The world of a case, its disk at ``start`` (m, rad) in the hand frame at the case's start velocity, fingers open.
 
     ``sensing`` is as the case says unless given. Raises NotCoveredError for objects that are not free disks, for ranges,
     walls, sensors that need a displacement, and fingers of too many links.
@@ -145,14 +145,12 @@ def free_feedback_world(
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing
     radius = _covered(case, faults)
     hand = case.hand
-    straight = (hand.open, *(0.0 for _ in hand.finger_links[1:]))
-    carriage = free_carriage(
-        hand, radius, impact_law_of(case), case.contact.restitution, start[2], (straight, straight)
-    )
+    angles = case.open_joints, case.open_joints
+    carriage = free_carriage(hand, radius, impact_law_of(case), case.contact.restitution, start[2], angles)
     carriage.begin(start[0], start[1], case.start.velocity)
     bits = bits_of(hand, case.sensors.stretches(hand), faults)
     watched = None if tracker is None else tracked(tracker)
-    world = FreeFeedbackWorld(carriage, FingerPair(travel_of(hand), (straight, straight)), bits, tick, watched)
+    world = FreeFeedbackWorld(carriage, FingerPair(travel_of(hand), angles), bits, tick, watched)
     world.firing = (False,) * len(bits.rows)
     if watched is not None:
         watched.see(0.0, (*start[:2], *case.start.velocity))  # of an invalid start there is nothing else to tell

@@ -55,10 +55,11 @@ class SteppingWorld:
         """The events of one start in order; the last one is the end, its body the outcome."""
         x, y, theta = moved_poses(self.centre, np.array([start]), 1.0)[0]
         end, log = carry(self.motion, self.body, x, y, theta, events=MOST_EVENTS)
-        known = [self._event(float(psi), int(kind), int(who)) for psi, kind, who in log if int(kind) != ENDS]
+        known = [self.event(float(psi), int(kind), int(who)) for psi, kind, who in log if int(kind) != ENDS]
         return (*known, Event(max(end.right, end.left), "end", outcome))
 
-    def _event(self, psi: float, kind: int, who: int) -> Event:
+    def event(self, psi: float, kind: int, who: int) -> Event:
+        """What the kernel's log calls by numbers."""
         if kind == HALTS:
             return Event(psi, "halt", "arm")
         if kind == STALLS:

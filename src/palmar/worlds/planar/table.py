@@ -60,7 +60,10 @@ def table_world(case: Case) -> TableWorld:
 
 @dataclass(frozen=True)
 class Trace:
-    """One start over time: base angles psi (K,) of fingers that do not stall, poses (K, 3), base angles (K, 2)."""
+    """One start over time: base angles psi (K,) of fingers that do not stall, poses (K, 3), base angles (K, 2).
+
+    Where a finger's joints all move, instead of base angles those of all joints (K, 2 links), right finger's first.
+    """
 
     psi: NDArray[np.float64]
     poses: NDArray[np.float64]
