@@ -8,14 +8,13 @@ The table's friction is that of the case's pressure (``table_friction``), or one
 ball at the centre of pressure: the ellipsoidal limit surface with c = (largest moment) / (largest force). The ball is on a
 foot that slides up and down by itself: were it the object, the friction of a fingertip that slides a little up or down
 would lift it, and it would hop over the table. In free space there is no table and no weight;
-contacts are damped springs that take ``CONTACT_TIME``, their damping that of the case's restitution.
+contacts are damped springs of the case's restitution (``impacts``).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import atan2, exp, log, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -30,16 +29,13 @@ from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
 from palmar.worlds.mujoco.bed import Bed, bed_motors, puck_joints
+from palmar.worlds.mujoco.impacts import GAP, spring_of
 from palmar.worlds.mujoco.table_friction import TableLaw
 
 GRAVITY = 9.81
 STEP, FREE_STEP = 1e-3, 5e-5
 """Time steps (s) on a table and in free space; docs/results/mujoco_world.md says what halving them changes."""
-CONTACT_TIME = 5e-3
-"""Duration of an impact (s)."""
-MOST_DAMPED = 5.0
-"""Largest damping ratio of a contact: restitution 0.01; less than that is not told from it."""
-HEAVY = 1000.0
+HEAVY = 1e4
 """Inertia of a finger that is not slowed by impacts, and of the arm, in units of the object's."""
 START_TIME = 0.05
 """In free space a joint's motor brings it to the finger rate in so long (s), if something has stopped it."""
@@ -49,12 +45,12 @@ LEAST_FRICTION = 0.05
 """The same for tables of less friction than this."""
 ROUNDING = 0.002
 """In reaches of the object."""
+HARD = 0.9999
+"""Impedance of contacts in free space: all but 1e-4 of a spring's push is felt."""
 MEETING = 1e-4
 """Half thickness, in finger lengths, with which line fingers of one plane meet."""
 STIFFNESS = 0.2
 """Of a joint's servo, in units of inertia / step^2: explicit steps are stable below 1."""
-UPPER = 1e-6
-"""Share of the object's mass that is not on its foot."""
 UPPER = 1e-6
 """Share of the object's mass that is not on its foot."""
 COUPLED = 1e-6
@@ -209,11 +205,11 @@ class Scene:
                     yield f'<pair geom1="meets_{one}" geom2="meets_{other}" condim="1"/>'
 
     def _bounce(self) -> str:
-        """Stiffness and damping of contacts that give the case's restitution, per effective mass."""
+        """Of contacts that give the case's restitution."""
         if not self.free:
             return ""
-        stiff = (pi / CONTACT_TIME) ** 2
-        return f' solref="{-stiff} {-2.0 * damping_ratio(self.case.contact.restitution) * sqrt(stiff)}"'
+        stiffness, damping = spring_of(self.case.contact.restitution, self.step)
+        return f' solref="{-stiffness} {-damping}" solimp="{HARD} {HARD} 0.001" gap="{GAP}"'
 
     def _actuators(self) -> str:
         joints = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(len(self.case.hand.finger_links))]
@@ -250,23 +246,6 @@ def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXA
     if corners > 1 and slider_body(scene.slider, 0.0).width < THINNEST * scene.reach:
         raise NotCoveredError("the world mujoco has no polygons thinner than a tenth of their reach")
     return scene
-
-
-def damping_ratio(restitution: float) -> float:
-    """Of a damped spring that never pulls and returns that much of the speed (Schwager and Poeschel 2007)."""
-
-    def returned(ratio: float) -> float:
-        if ratio < 1.0:
-            rest = sqrt(1.0 - ratio * ratio)
-            return exp(-ratio / rest * atan2(2.0 * ratio * rest, ratio * ratio - rest * rest))
-        rest = sqrt(ratio * ratio - 1.0)
-        return exp(-ratio / rest * log((ratio + rest) / (ratio - rest))) if rest > 0.0 else exp(-2.0)
-
-    low, high = 0.0, MOST_DAMPED
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if returned(middle) > restitution else (low, middle)
-    return low
 
 
 def inset(corners: Floats, by: float) -> Floats:
