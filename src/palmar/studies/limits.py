@@ -11,15 +11,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin, sqrt
+from math import ceil, cos, hypot, log2, pi, sin, sqrt
 
 import numpy as np
 from shapely import LineString, MultiPolygon, get_coordinates
 
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
-from palmar.studies.simulate import simulate_starts
-from palmar.studies.simulate_in_world import simulate_starts_in
+from palmar.studies.trials_in_world import in_one_go, outcomes
 from palmar.worlds.world import WorldMaker
 
 FIRST, STRIDE = (0.4, 0.9), 0.125
@@ -81,7 +80,7 @@ def limits(
     past: Sequence[Trial] = (),
     keep: Callable[[Trial], None] | None = None,
 ) -> tuple[Limit, ...]:
-    """Search in every direction, one trial of each at a time; ``make``: the world, None the planar kernels.
+    """Search in every direction, one trial of each at a time; ``make``: the world, None the planar one.
 
     ``past``: trials of an earlier run under the same rules, not made again; ``keep`` is given each new one.
     ``region``: the centre region (m) that the limits are compared with, if with any.
@@ -97,8 +96,9 @@ def limits(
             break
         places = [_place(rules, k, distance, len(trials[k])) for k, distance in asked]
         parts = [(case, place, make) for place in places]
-        outcomes = map(_run, parts) if executor is None or make is None else executor.map(_run, parts)
-        for (k, distance), place, outcome in zip(asked, places, outcomes, strict=True):
+        alone = executor is None or in_one_go(case, make)
+        ends = map(_run, parts) if alone or executor is None else executor.map(_run, parts)
+        for (k, distance), place, outcome in zip(asked, places, ends, strict=True):
             trial = Trial(k, distance, place, outcome)
             trials[k].append(trial)
             if keep is not None:
@@ -149,6 +149,22 @@ def _place(rules: Rules, ray: int, distance: float, number: int) -> tuple[float,
 
 def _run(part: tuple[Case, tuple[float, float], WorldMaker | None]) -> Outcome:
     case, (x, y), make = part
-    start = np.array([[x, y, case.start.theta]])
-    ends = simulate_starts(case, start) if make is None else simulate_starts_in(case, start, make)
-    return Outcome.from_code(int(ends.codes[0]))
+    return outcomes(case, np.array([[x, y, case.start.theta]]), make)[0]
+
+
+def left_to_do(length: float, rules: Rules, made: Sequence[Trial]) -> int:
+    """About how many trials are still to be made in all directions after these, were no limit further than two steps."""
+    whole = 0
+    for ray in range(len(rules.angles)):
+        mine = [each for each in made if each.ray == ray]
+        if next_distance(length, rules, ray, mine) is None:
+            continue
+        near = max((each.distance for each in mine if each.outward), default=None)
+        far = min(
+            (each.distance for each in mine if not each.outward and (near is None or each.distance > near)),
+            default=None,
+        )
+        known = near is not None and far is not None
+        gap = far - near if near is not None and far is not None else STRIDE * length
+        whole += (0 if known else 2) + max(1, ceil(log2(max(gap / rules.tolerance, 1.0))))
+    return whole

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.errors import NotCoveredError
-from palmar.worlds.mujoco.bed import Bed
+from palmar.models.bed import Bed
 from palmar.worlds.mujoco.servos import UNLIMITED, Both, Servos
 
 Floats = NDArray[np.float64]

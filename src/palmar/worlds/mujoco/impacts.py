@@ -10,7 +10,7 @@ steps, run one by one, give the restitution. Without damping, k makes an impact 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import pi, sin
+from math import hypot, pi, sin
 from typing import Any
 
 from palmar.worlds.mujoco.engine import mujoco
@@ -60,13 +60,19 @@ def returned(ratio: float, theta: float) -> float:
 
 @dataclass
 class Flight:
-    """A scene in free space, with geom ``thing``; ``ahead``: by how much (s) it is further than it was told to go."""
+    """A scene in free space, with geom ``thing`` whose x and y are the coordinates from ``first`` on.
+
+    ``tilt_loss``: see ``_tilted``; ``ahead``: by how much (s) the scene is further than it was told to go.
+    """
 
     model: Any
     data: Any
     thing: int
+    first: int
+    tilt_loss: float = 0.0
     ahead: float = 0.0
     distances: dict[tuple[int, int], float] = field(default_factory=dict)
+    before: tuple[float, float] | None = None
 
     def go(self, seconds: float, step: float) -> None:
         """Let the scene go on; contacts of the thing begin at the start of a step, and no step of theirs is cut."""
@@ -94,8 +100,26 @@ class Flight:
             if 0.0 <= distance < approach * span:
                 span = distance / approach + LATE * step
         self.model.opt.timestep, self.distances = span, now
+        if self.tilt_loss > 0.0:
+            self._tilted(bool(now) and min(now.values()) < 0.0)
         mujoco.mj_step2(self.model, self.data)
         return span
+
+    def _tilted(self, touching: bool) -> None:
+        """An impact above a puck's middle tilts it; its edge strikes the table, and friction there slows it (section 6.2.2).
+
+        The edge's impulse is in proportion to that of the impact, so the puck loses ``tilt_loss`` of the speed
+        that the impact has given it, at once when it is over, but does not go back.
+        """
+        velocity = self.data.qvel[self.first : self.first + 2]
+        x, y = float(velocity[0]), float(velocity[1])
+        if touching and self.before is None:
+            self.before = x, y
+        elif not touching and self.before is not None:
+            given, speed = hypot(x - self.before[0], y - self.before[1]), hypot(x, y)
+            if speed > 0.0:
+                velocity *= max(0.0, 1.0 - self.tilt_loss * given / speed)
+            self.before = None
 
     def _near(self) -> dict[tuple[int, int], float]:
         """Distances (m) of the pairs of geoms that are near each other, one of them the thing."""

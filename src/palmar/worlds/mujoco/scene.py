@@ -28,7 +28,7 @@ from palmar.models.case import Case
 from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
-from palmar.worlds.mujoco.bed import Bed, bed_motors, puck_joints
+from palmar.worlds.mujoco.bed import bed_motors, puck_joints
 from palmar.worlds.mujoco.impacts import GAP, spring_of
 from palmar.worlds.mujoco.table_friction import TableLaw
 
@@ -64,13 +64,13 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Scene:
-    """The case, its object about the centre of pressure, the time step (s), the table's law, and a test bed's motors."""
+    """The case, its object about the centre of pressure, time step (s), the table's law, and whether motors are a bed's."""
 
     case: Case
     slider: Slider
     step: float
     law: TableLaw = TableLaw.EXACT
-    bed: Bed | None = None
+    servos: bool = False
 
     @property
     def on_foot(self) -> bool:
@@ -104,8 +104,8 @@ class Scene:
     @property
     def inertia(self) -> float:
         """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space; or the bed's."""
-        if self.bed is not None:
-            return self.bed.inertia
+        if self.servos:
+            return self.case.bed.joint_inertia
         return (HEAVY if self.free else 1.0) * self.case.object.mass * self.case.hand.finger_length**2
 
     def xml(self) -> str:
@@ -150,7 +150,7 @@ class Scene:
 
     def _object(self) -> str:
         """In the plane. As a single contact with the table its weight is on a foot: no finger's friction lifts that."""
-        slide, turn = ("", "") if self.bed is None or not self.free else puck_joints(self.bed)
+        slide, turn = puck_joints(self.case.bed) if self.free else ("", "")
         slides = "".join(f'<joint name="object_{each}" type="slide" axis="{axis}"{slide}/>' for each, axis in PLANE)
         weight = self._weight(1.0)
         if self.on_foot:
@@ -214,8 +214,8 @@ class Scene:
     def _actuators(self) -> str:
         joints = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(len(self.case.hand.finger_links))]
         arm = "".join(self._servo(each, HEAVY * self.case.object.mass) for each in ("arm_x", "arm_y"))
-        if self.bed is not None:
-            return bed_motors(self.bed, joints, arm)
+        if self.servos:
+            return bed_motors(self.case.bed, joints, arm)
         return f"<actuator>{''.join(self._servo(each, self.inertia) for each in joints)}{arm}</actuator>"
 
     def _servo(self, joint: str, inertia: float) -> str:
@@ -225,7 +225,7 @@ class Scene:
         return f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>{damper}'
 
 
-def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXACT, bed: Bed | None = None) -> Scene:
+def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXACT, servos: bool = False) -> Scene:
     """The scene of a case; raises NotCoveredError for what it does not have."""
     hand = case.hand
     if case.ranges:
@@ -239,7 +239,7 @@ def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXA
         raise NotCoveredError('object.shape = "polygon": in free space only disks are simulated')
     if free and hand.finger_mass is not None:
         raise NotCoveredError("hand.finger_mass_kg: the world mujoco has heavy fingers only")
-    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP), law, bed)
+    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP), law, servos)
     corners = len(scene.slider.core)
     if corners > MOST_CORNERS:
         raise NotCoveredError(f"the world mujoco has polygons of up to {MOST_CORNERS} corners, not {corners}")

@@ -16,6 +16,7 @@ from palmar.models.motion import Joints
 from palmar.worlds.mujoco.engine import mujoco
 from palmar.worlds.mujoco.impacts import Flight
 from palmar.worlds.mujoco.scene import GRAVITY, Scene
+from palmar.worlds.mujoco.stiction import stiction_of
 from palmar.worlds.mujoco.table_friction import TableFriction
 
 Both = tuple[Joints, Joints]
@@ -115,9 +116,12 @@ def servos_of(scene: Scene, model: Any, data: Any) -> Servos:
     """The motors of a scene's hand."""
     joints = len(scene.case.hand.finger_links)
     friction = None
-    flight = Flight(model, data, model.geom("outline").id) if scene.free else None
+    flight, bed = None, scene.case.bed
+    if scene.free:
+        flight = Flight(model, data, model.geom("outline").id, 2 + 2 * joints, bed.tilt_loss)
     if not scene.free and not scene.on_foot:
+        sticky = stiction_of(scene.slider.surface, bed.stiction, bed.stiction_speed)
         force = scene.case.support.friction * scene.case.object.mass * GRAVITY
-        friction = TableFriction(model, data, 2 + 2 * joints, scene.slider.surface, force)
+        friction = TableFriction(model, data, 2 + 2 * joints, scene.slider.surface, force, sticky)
     stiffness = float(model.actuator_gainprm[0, 0])
     return Servos(model, data, joints, scene.torque, stiffness, scene.free, friction, flight)
