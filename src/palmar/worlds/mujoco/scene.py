@@ -47,6 +47,8 @@ ROUNDING = 0.002
 """In reaches of the object."""
 HARD = 0.9999
 """Impedance of contacts in free space: all but 1e-4 of a spring's push is felt."""
+EXACTLY = 1e-13
+"""Of the contact solver, which divides by the mean inertia, and the arm's is large: at 1e-8 boxes creep along slow fingers."""
 MEETING = 1e-4
 """Half thickness, in finger lengths, with which line fingers of one plane meet."""
 STIFFNESS = 0.2
@@ -111,7 +113,7 @@ class Scene:
     def xml(self) -> str:
         """The scene in MuJoCo's language."""
         return f"""<mujoco><compiler angle="radian"/>
-        <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast"
+        <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast" tolerance="{EXACTLY}"
         gravity="0 0 {0.0 if self.free else -GRAVITY}"><flag multiccd="enable"/></option>{self._mesh()}
         <default><geom contype="0" conaffinity="0"/><joint solreflimit="{2.0 * self.step} 1" solimplimit="0.99 0.99 0.001"/>
         <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
