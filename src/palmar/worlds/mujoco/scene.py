@@ -33,7 +33,7 @@ from palmar.worlds.mujoco.impacts import GAP, spring_of
 from palmar.worlds.mujoco.table_friction import TableLaw
 
 GRAVITY = 9.81
-STEP, FREE_STEP = 1e-3, 5e-5
+STEP, FREE_STEP = 1e-3, 1e-4
 """Time steps (s) on a table and in free space; docs/results/mujoco_world.md says what halving them changes."""
 HEAVY = 1e4
 """Inertia of a finger that is not slowed by impacts, and of the arm, in units of the object's."""
