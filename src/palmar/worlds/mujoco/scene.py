@@ -29,7 +29,7 @@ from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
 from palmar.worlds.mujoco.bed import bed_motors, puck_joints
-from palmar.worlds.mujoco.impacts import GAP, spring_of
+from palmar.worlds.mujoco.impacts import CONTACT_TIME, GAP, spring_of
 from palmar.worlds.mujoco.table_friction import TableLaw
 
 GRAVITY = 9.81
@@ -48,7 +48,7 @@ ROUNDING = 0.002
 HARD = 0.9999
 """Impedance of contacts in free space: all but 1e-4 of a spring's push is felt."""
 EXACTLY = 1e-13
-"""Of the contact solver, which divides by the mean inertia, and the arm's is large: at 1e-8 boxes creep along slow fingers."""
+"""Of the contact solver, which divides by the mean inertia, and the arm's is large: at 1e-8 boxes creep along fingers."""
 MEETING = 1e-4
 """Half thickness, in finger lengths, with which line fingers of one plane meet."""
 STIFFNESS = 0.2
@@ -211,7 +211,8 @@ class Scene:
         if not self.free:
             return ""
         stiffness, damping = spring_of(self.case.contact.restitution, self.step)
-        return f' solref="{-stiffness} {-damping}" solimp="{HARD} {HARD} 0.001" gap="{GAP}"'
+        sticking = f' solreffriction="{0.5 * CONTACT_TIME} 1"'  # an elastic contact's own damping, none, lets it slip
+        return f' solref="{-stiffness} {-damping}"{sticking} solimp="{HARD} {HARD} 0.001" gap="{GAP}"'
 
     def _actuators(self) -> str:
         joints = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(len(self.case.hand.finger_links))]
