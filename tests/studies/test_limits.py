@@ -11,7 +11,7 @@ from palmar.models.case import Case
 from palmar.models.case_file import parse_case
 from palmar.models.outcome import Outcome
 from palmar.regions.build import build_region
-from palmar.studies.limits import Limit, Rules, Trial, limits, next_distance, reach
+from palmar.studies.limits import Limit, Rules, Trial, left_to_do, limits, next_distance, reach
 
 LENGTH = 0.244
 RULES = Rules((0.0, 0.0), tuple(radians(each) for each in (30.0, 60.0, 90.0)), 1e-3, seed=3)
@@ -32,6 +32,10 @@ def test_the_procedure_closes_in_on_an_edge(edge: float) -> None:
     assert len(made) < 20
     for before, after in pairwise(made):
         assert (after.distance > before.distance) == before.outcome.caught
+    for number in (3, len(made) - 4, len(made) - 2):
+        left = left_to_do(LENGTH, Rules((0.0, 0.0), (0.5,), RULES.tolerance, seed=RULES.seed), made[:number])
+        assert abs(left - (len(made) - number)) <= 3
+    assert left_to_do(LENGTH, Rules((0.0, 0.0), (0.5,), RULES.tolerance, seed=RULES.seed), made) == 0
 
 
 def test_an_object_that_overlaps_the_hand_is_placed_further_out() -> None:
@@ -72,6 +76,24 @@ def test_places_err_by_the_placing_error(bed: Case) -> None:
     assert 5e-4 < max(off) <= 2e-3
     assert len({round(each, 9) for each in off}) == len(off)
     assert found.difference is not None and abs(found.difference) < 3e-3 + 1e-3
+
+
+def test_distances_of_the_first_contact(bed: Case) -> None:
+    """With places a radius aside of rays from the joint a line finger at the ray's angle touches at the distance."""
+    rules = Rules((0.06, 0.0), (radians(30.0),), 1e-3, aside=0.038)
+    for trial in found_in(bed, rules)[0].trials:
+        x, y = trial.placed[0] - 0.06, trial.placed[1]
+        assert sin(radians(30.0)) * x - cos(radians(30.0)) * y == pytest.approx(-0.038)
+        assert cos(radians(30.0)) * x + sin(radians(30.0)) * y == pytest.approx(trial.distance)
+
+
+def test_what_counts_as_a_success(bed: Case) -> None:
+    held = Outcome.STRUCTURAL, Outcome.FRICTIONAL
+    usual, counted, none = (
+        found_in(bed, Rules(RULES.about, RULES.angles[:1], 1e-3, wanted=each))[0].distance
+        for each in (None, held, (Outcome.MISSED,))
+    )
+    assert usual == counted != none
 
 
 def test_the_last_time_that_a_ray_leaves_a_set(bed: Case) -> None:

@@ -24,6 +24,7 @@ def validation_record(result: Validation, region: Region, settings: dict[str, An
         },
         "worst": surprises[0] if surprises else None,
         "surprises": surprises,
+        "agreement": _agreement(result),
         "guarantee": region.guarantee.value,
         "area_m2": region.area,
         "reason": region.reason,
@@ -52,6 +53,14 @@ def limits_record(found: tuple[Limit, ...], settings: dict[str, Any]) -> dict[st
     }
 
 
+def _agreement(result: Validation) -> dict[str, Any] | None:
+    """With the planar world, None where that is the world."""
+    same, alike = (result.agreeing(exactly=each) for each in (True, False))
+    if same is None:
+        return None
+    return {"same": same, "alike": alike, "disputed": [_tried(each) for each in result.disputed]}
+
+
 def _tried(each: Tried) -> dict[str, Any]:
     x, y, theta = each.start
     return {
@@ -62,4 +71,5 @@ def _tried(each: Tried) -> dict[str, Any]:
         "boundary_distance_m": each.distance,
         "outcome": each.outcome.value,
         "planar": None if each.planar is None else each.planar.value,
+        "planar_changes_within_m": each.aside,
     }

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, model_validator
 
 from palmar.geometry.finger_reach import finger_reach
+from palmar.models.bed import Bed
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.contact import Contact
 from palmar.models.hand import Hand
@@ -45,6 +46,7 @@ class Case(Value):
     start: Start = Start()
     sensors: Sensors = Sensors()
     behaviour: Behaviour = Behaviour()
+    bed: Bed = Bed()
     ranges: tuple[Range, ...] = ()
 
     @model_validator(mode="after")

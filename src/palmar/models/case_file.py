@@ -12,6 +12,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from palmar.errors import InputError
+from palmar.models.bed import Bed
 from palmar.models.behaviour import Behaviour
 from palmar.models.case import Case, Range, Start
 from palmar.models.contact import Contact
@@ -27,7 +28,7 @@ MOST_RANGES = 6
 
 _SECTIONS: dict[str, type[Value]] = {
     "hand": Hand, "object": Disk, "contact": Contact, "support": Support,
-    "start": Start, "sensors": Sensors, "behaviour": Behaviour,
+    "start": Start, "sensors": Sensors, "behaviour": Behaviour, "bed": Bed,
 }  # fmt: skip
 _SHAPES: dict[str, type[Value]] = {"disk": Disk, "polygon": ConvexPolygon}
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
@@ -76,6 +77,8 @@ def dump_case(case: Case) -> str:
     sections = []
     for section in _SECTIONS:
         part: Value = getattr(case, section)
+        if part == Bed():
+            continue  # few cases are about a test bed
         lines = [f"[{section}]"]
         for name, field in type(part).model_fields.items():
             value = part.model_dump(mode="json")[name]

@@ -31,6 +31,8 @@ class Unit(Enum):
     NEWTON = ("N", "N", 1.0, 1.0)
     NEWTON_PER_MILLIMETRE = ("N_mm", "N/mm", 1000.0, 1.0)
     SECOND = ("s", "s", 1.0, 1.0)
+    KILOGRAM_SQUARE_METRE = ("kg_m2", "kg m^2", 1.0, 1.0)
+    NEWTON_SECOND_PER_METRE = ("N_s_m", "N s/m", 1.0, 1.0)
 
     def __init__(self, suffix: str, printed: str, factor: float, divisor: float) -> None:
         self.suffix, self.printed, self._factor, self._divisor = suffix, printed, factor, divisor

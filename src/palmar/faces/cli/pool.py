@@ -1,13 +1,25 @@
-"""Work on all processors, with a count of what is done on stderr."""
+"""Work on all processors, with a bar of what is done on stderr."""
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import get_context
 from os import cpu_count
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    Task,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+from rich.text import Text
 
 
 @contextmanager
@@ -22,17 +34,30 @@ def processes() -> Iterator[Executor]:
 
 
 @contextmanager
-def counting(whole: int | None, things: str) -> Iterator[Callable[[int], None] | None]:
-    """What shows how many are done, on a terminal; None elsewhere."""
-    if not sys.stderr.isatty():
-        yield None
-        return
+def counting(whole: int, things: str, done: int = 0) -> Iterator[Callable[[int, int | None], None]]:
+    """A bar with rate and time left, on a terminal; it is told how many are done, and of how many if that changes."""
+    with _bar(things) as bar:
+        task = bar.add_task(things, total=whole, completed=done)
 
-    def report(done: int) -> None:
-        share = "" if not whole else f" of {whole}"
-        print(f"\rpalmar: {done}{share} {things}", end="", file=sys.stderr, flush=True)
+        def report(done: int, whole: int | None = None) -> None:
+            bar.update(task, completed=done, total=whole)
 
-    try:
         yield report
-    finally:
-        print(file=sys.stderr)
+
+
+def _bar(things: str) -> Progress:
+    """On stderr, and nothing where that is no terminal."""
+    console = Console(stderr=True)
+    columns = (
+        TextColumn("palmar:"), BarColumn(), MofNCompleteColumn(), TextColumn(things), _Rate(), TimeElapsedColumn(),
+        TextColumn("left"), TimeRemainingColumn(),
+    )  # fmt: skip
+    return Progress(*columns, console=console, disable=not console.is_terminal)
+
+
+class _Rate(ProgressColumn):
+    """So many a second."""
+
+    def render(self, task: Task) -> Text:
+        """The column's text."""
+        return Text("" if task.speed is None else f"{task.speed:.3g}/s")

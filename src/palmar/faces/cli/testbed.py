@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import App, Parameter
@@ -14,7 +13,7 @@ from palmar.faces.cli.pool import counting, processes
 from palmar.faces.cli.printing import AsJson, CaseName, number, show
 from palmar.faces.cli.testbed_report import report
 from palmar.faces.cli.texts import table, titled
-from palmar.faces.cli.trial_log import TrialLog
+from palmar.faces.cli.trial_log import Log, TrialLog
 from palmar.faces.cli.world_option import Physics, maker_of
 from palmar.faces.trial_records import limits_record
 from palmar.models.case import Case
@@ -41,14 +40,12 @@ def limits(
     tolerance_mm: Annotated[str, Parameter(help="How well each limit is to be known.")] = "1",
     placing_mm: Annotated[str, Parameter(help="By how much a place may be missed.")] = "0",
     seed: Annotated[int, Parameter(help="Of the first places and of their errors.")] = 0,
-    log: Annotated[
-        Path | None, Parameter(help="Keep every trial in this file; a run that was cut off goes on.")
-    ] = None,
+    log: Log = None,
     json: AsJson = False,
 ) -> None:
     """The source's search: place, trigger, further out on success, further in on failure, until the limit."""
     from palmar.regions.build import build_region
-    from palmar.studies.limits import Rules, Trial
+    from palmar.studies.limits import Rules, Trial, left_to_do
     from palmar.studies.limits import limits as search
 
     if seed < 0:
@@ -63,17 +60,16 @@ def limits(
     )
     make, region = maker_of(world), build_region(given)
     kept = None if log is None else TrialLog(log, _settings(given, rules, world))
-    past = [] if kept is None else kept.read()
-    with processes() as pool, counting(None, "trials") as report:
-        done = len(past)
+    made = [] if kept is None else kept.trials()
+    past, length = tuple(made), given.hand.finger_length
+    whole = len(made) + left_to_do(length, rules, made)
+    with processes() as pool, counting(whole, "trials", len(made)) as report:
 
         def keep(trial: Trial) -> None:
-            nonlocal done
-            done += 1
+            made.append(trial)
             if kept is not None:
-                kept.add(trial)
-            if report is not None:
-                report(done)
+                kept.add_trial(trial)
+            report(len(made), len(made) + left_to_do(length, rules, made))
 
         found = search(given, rules, region.centre, make, pool, past, keep)
     record = limits_record(

@@ -15,11 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.errors import NotCoveredError
-from palmar.worlds.mujoco.bed import Bed
-from palmar.worlds.mujoco.engine import mujoco
+from palmar.models.bed import Bed
 from palmar.worlds.mujoco.servos import UNLIMITED, Both, Servos
 
 Floats = NDArray[np.float64]
+NO_TIME = 1e-9
+"""Less than this (s) is none."""
 
 
 @dataclass(frozen=True)
@@ -44,10 +45,11 @@ class BedServos(Servos):
     sums: Floats = field(init=False)
     ends: Floats = field(init=False)
     due: float = 0.0
+    clock: float = 0.0
 
     def __post_init__(self) -> None:
-        super().__post_init__()
         number = 2 * self.joints
+        self.told = np.zeros(number + 2)
         self.duty, self.loaded, self.errors, self.sums = (np.zeros(number) for _ in range(4))
         self.set_points, self.most_duty = np.zeros(number), np.full(number, self.bed.duty_limit)
         self.ends = np.full(number, np.nan)
@@ -82,15 +84,14 @@ class BedServos(Servos):
 
     def go(self, seconds: float, step: float) -> None:
         """Let the scene go on."""
-        number = max(1, int(np.ceil(seconds / step - 1e-6)))
-        self.model.opt.timestep = seconds / number
-        for _ in range(number):
-            if self.data.time >= self.due - 1e-9:
+        end = self.clock + seconds
+        while self.clock < end - NO_TIME:
+            if self.clock >= self.due - NO_TIME:
                 self._sample()
                 self.due += self.bed.sample
-            if self.friction is not None:
-                self.friction.prepare()
-            mujoco.mj_step(self.model, self.data)
+            span = min(self.due, end) - self.clock
+            self.advance(span, step)
+            self.clock += span
 
     def contact(self, side: int) -> bool:
         """Whether a joint of the finger has taken the threshold's duty for long enough."""
@@ -116,5 +117,13 @@ class BedServos(Servos):
 def bed_servos(servos: Servos, bed: Bed) -> BedServos:
     """The bed's motors in place of others on the same model and data."""
     return BedServos(
-        servos.model, servos.data, servos.joints, bed.stall_torque, 0.0, servos.at_once, servos.friction, bed
+        servos.model,
+        servos.data,
+        servos.joints,
+        bed.stall_torque,
+        0.0,
+        servos.at_once,
+        servos.friction,
+        servos.flight,
+        bed,
     )

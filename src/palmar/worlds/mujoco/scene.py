@@ -8,14 +8,13 @@ The table's friction is that of the case's pressure (``table_friction``), or one
 ball at the centre of pressure: the ellipsoidal limit surface with c = (largest moment) / (largest force). The ball is on a
 foot that slides up and down by itself: were it the object, the friction of a fingertip that slides a little up or down
 would lift it, and it would hop over the table. In free space there is no table and no weight;
-contacts are damped springs that take ``CONTACT_TIME``, their damping that of the case's restitution.
+contacts are damped springs of the case's restitution (``impacts``).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import atan2, exp, log, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -29,17 +28,14 @@ from palmar.models.case import Case
 from palmar.models.hand import Fingers
 from palmar.models.objects import Disk
 from palmar.models.support import SupportKind
-from palmar.worlds.mujoco.bed import Bed, bed_motors, puck_joints
+from palmar.worlds.mujoco.bed import bed_motors, puck_joints
+from palmar.worlds.mujoco.impacts import CONTACT_TIME, GAP, spring_of
 from palmar.worlds.mujoco.table_friction import TableLaw
 
 GRAVITY = 9.81
-STEP, FREE_STEP = 1e-3, 5e-5
+STEP, FREE_STEP = 1e-3, 1e-4
 """Time steps (s) on a table and in free space; docs/results/mujoco_world.md says what halving them changes."""
-CONTACT_TIME = 5e-3
-"""Duration of an impact (s)."""
-MOST_DAMPED = 5.0
-"""Largest damping ratio of a contact: restitution 0.01; less than that is not told from it."""
-HEAVY = 1000.0
+HEAVY = 1e4
 """Inertia of a finger that is not slowed by impacts, and of the arm, in units of the object's."""
 START_TIME = 0.05
 """In free space a joint's motor brings it to the finger rate in so long (s), if something has stopped it."""
@@ -49,12 +45,14 @@ LEAST_FRICTION = 0.05
 """The same for tables of less friction than this."""
 ROUNDING = 0.002
 """In reaches of the object."""
+HARD = 0.9999
+"""Impedance of contacts in free space: all but 1e-4 of a spring's push is felt."""
+EXACTLY = 1e-13
+"""Of the contact solver, which divides by the mean inertia, and the arm's is large: at 1e-8 boxes creep along fingers."""
 MEETING = 1e-4
 """Half thickness, in finger lengths, with which line fingers of one plane meet."""
 STIFFNESS = 0.2
 """Of a joint's servo, in units of inertia / step^2: explicit steps are stable below 1."""
-UPPER = 1e-6
-"""Share of the object's mass that is not on its foot."""
 UPPER = 1e-6
 """Share of the object's mass that is not on its foot."""
 COUPLED = 1e-6
@@ -68,13 +66,13 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Scene:
-    """The case, its object about the centre of pressure, the time step (s), the table's law, and a test bed's motors."""
+    """The case, its object about the centre of pressure, time step (s), the table's law, and whether motors are a bed's."""
 
     case: Case
     slider: Slider
     step: float
     law: TableLaw = TableLaw.EXACT
-    bed: Bed | None = None
+    servos: bool = False
 
     @property
     def on_foot(self) -> bool:
@@ -108,14 +106,14 @@ class Scene:
     @property
     def inertia(self) -> float:
         """Of a joint's motor (kg m^2): that of the object at the fingertip, or much more in free space; or the bed's."""
-        if self.bed is not None:
-            return self.bed.inertia
+        if self.servos:
+            return self.case.bed.joint_inertia
         return (HEAVY if self.free else 1.0) * self.case.object.mass * self.case.hand.finger_length**2
 
     def xml(self) -> str:
         """The scene in MuJoCo's language."""
         return f"""<mujoco><compiler angle="radian"/>
-        <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast"
+        <option timestep="{self.step}" cone="elliptic" impratio="10" integrator="implicitfast" tolerance="{EXACTLY}"
         gravity="0 0 {0.0 if self.free else -GRAVITY}"><flag multiccd="enable"/></option>{self._mesh()}
         <default><geom contype="0" conaffinity="0"/><joint solreflimit="{2.0 * self.step} 1" solimplimit="0.99 0.99 0.001"/>
         <pair solref="{2.0 * self.step} 1" solimp="0.99 0.99 0.001"/></default>
@@ -154,7 +152,7 @@ class Scene:
 
     def _object(self) -> str:
         """In the plane. As a single contact with the table its weight is on a foot: no finger's friction lifts that."""
-        slide, turn = ("", "") if self.bed is None or not self.free else puck_joints(self.bed)
+        slide, turn = puck_joints(self.case.bed) if self.free else ("", "")
         slides = "".join(f'<joint name="object_{each}" type="slide" axis="{axis}"{slide}/>' for each, axis in PLANE)
         weight = self._weight(1.0)
         if self.on_foot:
@@ -209,17 +207,18 @@ class Scene:
                     yield f'<pair geom1="meets_{one}" geom2="meets_{other}" condim="1"/>'
 
     def _bounce(self) -> str:
-        """Stiffness and damping of contacts that give the case's restitution, per effective mass."""
+        """Of contacts that give the case's restitution."""
         if not self.free:
             return ""
-        stiff = (pi / CONTACT_TIME) ** 2
-        return f' solref="{-stiff} {-2.0 * damping_ratio(self.case.contact.restitution) * sqrt(stiff)}"'
+        stiffness, damping = spring_of(self.case.contact.restitution, self.step)
+        sticking = f' solreffriction="{0.5 * CONTACT_TIME} 1"'  # an elastic contact's own damping, none, lets it slip
+        return f' solref="{-stiffness} {-damping}"{sticking} solimp="{HARD} {HARD} 0.001" gap="{GAP}"'
 
     def _actuators(self) -> str:
         joints = [f"{name}_{k + 1}" for name, _ in SIDES for k in range(len(self.case.hand.finger_links))]
         arm = "".join(self._servo(each, HEAVY * self.case.object.mass) for each in ("arm_x", "arm_y"))
-        if self.bed is not None:
-            return bed_motors(self.bed, joints, arm)
+        if self.servos:
+            return bed_motors(self.case.bed, joints, arm)
         return f"<actuator>{''.join(self._servo(each, self.inertia) for each in joints)}{arm}</actuator>"
 
     def _servo(self, joint: str, inertia: float) -> str:
@@ -229,7 +228,7 @@ class Scene:
         return f'<intvelocity joint="{joint}" kp="{stiff}" actrange="-1e6 1e6"/>{damper}'
 
 
-def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXACT, bed: Bed | None = None) -> Scene:
+def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXACT, servos: bool = False) -> Scene:
     """The scene of a case; raises NotCoveredError for what it does not have."""
     hand = case.hand
     if case.ranges:
@@ -243,30 +242,13 @@ def scene_of(case: Case, step: float | None = None, law: TableLaw = TableLaw.EXA
         raise NotCoveredError('object.shape = "polygon": in free space only disks are simulated')
     if free and hand.finger_mass is not None:
         raise NotCoveredError("hand.finger_mass_kg: the world mujoco has heavy fingers only")
-    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP), law, bed)
+    scene = Scene(case, slider_of(case.object, case.support), step or (FREE_STEP if free else STEP), law, servos)
     corners = len(scene.slider.core)
     if corners > MOST_CORNERS:
         raise NotCoveredError(f"the world mujoco has polygons of up to {MOST_CORNERS} corners, not {corners}")
     if corners > 1 and slider_body(scene.slider, 0.0).width < THINNEST * scene.reach:
         raise NotCoveredError("the world mujoco has no polygons thinner than a tenth of their reach")
     return scene
-
-
-def damping_ratio(restitution: float) -> float:
-    """Of a damped spring that never pulls and returns that much of the speed (Schwager and Poeschel 2007)."""
-
-    def returned(ratio: float) -> float:
-        if ratio < 1.0:
-            rest = sqrt(1.0 - ratio * ratio)
-            return exp(-ratio / rest * atan2(2.0 * ratio * rest, ratio * ratio - rest * rest))
-        rest = sqrt(ratio * ratio - 1.0)
-        return exp(-ratio / rest * log((ratio + rest) / (ratio - rest))) if rest > 0.0 else exp(-2.0)
-
-    low, high = 0.0, MOST_DAMPED
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if returned(middle) > restitution else (low, middle)
-    return low
 
 
 def inset(corners: Floats, by: float) -> Floats:

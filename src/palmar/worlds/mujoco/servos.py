@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 
 from palmar.models.motion import Joints
 from palmar.worlds.mujoco.engine import mujoco
+from palmar.worlds.mujoco.impacts import Flight
 from palmar.worlds.mujoco.scene import GRAVITY, Scene
+from palmar.worlds.mujoco.stiction import stiction_of
 from palmar.worlds.mujoco.table_friction import TableFriction
 
 Both = tuple[Joints, Joints]
@@ -33,10 +35,11 @@ class Servos:
     stiffness: float
     at_once: bool
     friction: TableFriction | None
+    flight: Flight | None
     told: NDArray[np.float64] = field(init=False)
 
     def __post_init__(self) -> None:
-        self.told = np.zeros(2 * self.joints + 2)
+        self.told = np.full(2 * self.joints + 2, np.nan)
 
     @property
     def angles(self) -> Both:
@@ -81,6 +84,18 @@ class Servos:
 
     def go(self, seconds: float, step: float) -> None:
         """Let the scene go on; set points do not run away from joints that are held up."""
+        self.advance(seconds, step)
+        turns = self.data.qpos[2 : 2 + 2 * self.joints]
+        ahead = np.where(self.told[:-2] == 0.0, UNLIMITED, self.torque) / self.stiffness
+        set_points = self.data.act[: 2 * self.joints]
+        np.clip(set_points, turns - ahead, turns + ahead, out=set_points)
+        self._lock_behind()
+
+    def advance(self, seconds: float, step: float) -> None:
+        """Let the scene go on, whatever the motors do."""
+        if self.flight is not None:
+            self.flight.go(seconds, step)
+            return
         number = max(1, int(np.ceil(seconds / step - 1e-6)))
         self.model.opt.timestep = seconds / number
         if self.friction is None:
@@ -89,11 +104,6 @@ class Servos:
             for _ in range(number):
                 self.friction.prepare()
                 mujoco.mj_step(self.model, self.data)
-        turns = self.data.qpos[2 : 2 + 2 * self.joints]
-        ahead = np.where(self.told[:-2] == 0.0, UNLIMITED, self.torque) / self.stiffness
-        set_points = self.data.act[: 2 * self.joints]
-        np.clip(set_points, turns - ahead, turns + ahead, out=set_points)
-        self._lock_behind()
 
     def _lock_behind(self) -> None:
         """No joint that is told to turn goes back behind where it has been."""
@@ -106,7 +116,12 @@ def servos_of(scene: Scene, model: Any, data: Any) -> Servos:
     """The motors of a scene's hand."""
     joints = len(scene.case.hand.finger_links)
     friction = None
+    flight, bed = None, scene.case.bed
+    if scene.free:
+        flight = Flight(model, data, model.geom("outline").id, 2 + 2 * joints, bed.tilt_loss)
     if not scene.free and not scene.on_foot:
+        sticky = stiction_of(scene.slider.surface, bed.stiction, bed.stiction_speed)
         force = scene.case.support.friction * scene.case.object.mass * GRAVITY
-        friction = TableFriction(model, data, 2 + 2 * joints, scene.slider.surface, force)
-    return Servos(model, data, joints, scene.torque, float(model.actuator_gainprm[0, 0]), scene.free, friction)
+        friction = TableFriction(model, data, 2 + 2 * joints, scene.slider.surface, force, sticky)
+    stiffness = float(model.actuator_gainprm[0, 0])
+    return Servos(model, data, joints, scene.torque, stiffness, scene.free, friction, flight)

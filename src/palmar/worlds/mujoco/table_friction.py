@@ -14,6 +14,7 @@ from math import cos, hypot, sin
 from typing import Any
 
 from palmar.mechanics.pushing.limit_surface import LimitSurface, secant_metric
+from palmar.worlds.mujoco.stiction import Stiction
 
 LEAST_SPEED = 1e-6
 """Slower twists (m/s, at the surface's length) are resisted in proportion to their speed."""
@@ -39,6 +40,7 @@ class TableFriction:
     first: int
     surface: LimitSurface
     force: float
+    stiction: Stiction | None = None
 
     def prepare(self) -> None:
         """Set the dampers for the next step."""
@@ -51,7 +53,10 @@ class TableFriction:
             x, y, turn = LEAST_SPEED, 0.0, 0.0
         elif speed < LEAST_SPEED:
             x, y, turn = (each * LEAST_SPEED / speed for each in (x, y, turn))
-        total, _, _, up, across, whole = secant_metric(self.surface, x, y, turn)
+        metric = secant_metric(self.surface, x, y, turn)
+        if self.stiction is not None:
+            metric = self.stiction.added_to(metric, x, y, turn)
+        total, _, _, up, across, whole = metric
         px, py = across / total, -up / total
         self.model.tendon_damping[:] = self.force * total
         self.model.wrap_prm[1], self.model.wrap_prm[3] = -(s * px + c * py), c * px - s * py

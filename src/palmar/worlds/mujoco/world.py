@@ -19,7 +19,6 @@ from palmar.mechanics.pushing.slider import moved_poses
 from palmar.models.case import Case
 from palmar.models.motion import Command, Joints, Observation
 from palmar.models.outcome import Outcome
-from palmar.worlds.mujoco.bed import Bed
 from palmar.worlds.mujoco.bed_servos import BedServos, bed_servos
 from palmar.worlds.mujoco.engine import mujoco
 from palmar.worlds.mujoco.judges import Judge, Place, judge_of
@@ -36,7 +35,6 @@ LOOK = 0.01
 """Longest time (s) between two looks at whether a finger is held up."""
 STALL_TURN, STALL_SHARE = 0.02, 0.1
 """A finger is held up once it has turned by less than this share of so much (rad) that it was told to turn."""
-BED = Bed()
 STILL, LEAST_CHANGE = 1e-5, 1e-9
 """Speeds (m/s, rad/s): of a scene in which nothing moves; by which a free object has changed its own where it was struck."""
 
@@ -264,8 +262,8 @@ def _begin(kind: type[Made], scene: Scene, start: Place, tick: float, sensing: S
     data = mujoco.MjData(model)
     x, y, theta = (float(each) for each in moved_poses(scene.slider.centre, np.array([start]), 1.0)[0])
     servos = servos_of(scene, model, data)
-    if scene.bed is not None:
-        servos = bed_servos(servos, scene.bed)
+    if scene.servos:
+        servos = bed_servos(servos, case.bed)
     servos.place((case.open_joints, case.open_joints))
     judge = judge_of(scene, (x, y, theta))
     faults = Sensing(case.sensors.displacement) if sensing is None else sensing
@@ -289,7 +287,6 @@ def bed_world(
     massive: bool = False,
     step: float | None = None,
     law: TableLaw = TableLaw.EXACT,
-    bed: Bed = BED,
 ) -> BedWorld:
-    """As ``mujoco_world``, with the source's motors and its way to tell a contact; the wrist is fixed."""
-    return _begin(BedWorld, scene_of(case, step, law, bed), start, tick, sensing, massive)
+    """As ``mujoco_world``, with the motors of the case's bed and the source's way to tell a contact; the wrist is fixed."""
+    return _begin(BedWorld, scene_of(case, step, law, servos=True), start, tick, sensing, massive)

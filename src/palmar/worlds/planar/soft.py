@@ -234,6 +234,8 @@ def soft_hand_of(case: Case) -> SoftHand:
         raise NotCoveredError("contact.stiffness_N_mm absent: the world soft needs it")
     if hand.fingers is Fingers.COLLIDING:
         raise NotCoveredError('hand.fingers = "colliding": the world soft has fingers that pass each other')
+    if any(case.open_joints[1:]):
+        raise NotCoveredError("behaviour.bend_deg: the world soft has straight fingers")
     if hand.finger_mass is None:
         raise NotCoveredError("hand.finger_mass_kg absent: the world soft needs it, heavy fingers crush what they hold")
     low, high = hand.base_limits
