@@ -187,6 +187,16 @@ def test_letting_go_is_softer_than_driving_on() -> None:
     assert let_go.outcome is Outcome.CAGED
 
 
+def test_force_feedback_hammers_about_the_grip_that_it_wants() -> None:
+    """At a gain far above the limit the moments of both contacts swing, about the one wanted."""
+    asked = 'name = "force_feedback"\ngrip_N_m = 0.1\ngain = 3\npatience_s = 3'
+    trace = run_of(case_of(asked, hand="finger_torque_N_m = 0.3\ndrive_lag_s = 0.005"), tick=0.001)
+    moments = np.array([row.seen.moments for row in trace.rows[-500:]])
+    assert moments.mean(axis=0) == pytest.approx([0.1, 0.1], rel=0.15)
+    assert (moments.std(axis=0) > 0.03).all()
+    assert [each.what for each in trace.happenings if each.kind == "does"][-1] == "the time to grip is over"
+
+
 def test_what_the_soft_world_does_not_have() -> None:
     rough = case_of()
     for change, words in (
