@@ -176,6 +176,8 @@ def test_touching_down_is_softer_by_the_ratio_of_rates() -> None:
     hard, soft = (run_of(case_of(f'name = "{name}"\nuncertainty_mm = 0.001')) for name in ("close", "touch_down"))
     assert first_peak(soft) / first_peak(hard) == pytest.approx(5.0 / 60.0, rel=0.1)
     assert hard.outcome is soft.outcome is Outcome.CAGED
+    forces = [max(row.seen.forces) for row in hard.rows]
+    assert 0.0 in forces[forces.index(max(forces)) :], "what is felt is what was felt since the last observation"
 
 
 def test_letting_go_is_softer_than_driving_on() -> None:

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from palmar.mechanics.impact.touch_down_4_3_2 import rate_at, touch_down
+from palmar.mechanics.impact.touch_down_4_3_2 import ramps, rate_at, together, touch_down
+from palmar.mechanics.impact.touch_down_case import touch_down_programme
+from palmar.models.case_file import parse_case
 
 ANGLE, ARRIVAL, TORQUE, INERTIA = 1.2, 0.3, 0.8, 0.05
 
@@ -69,3 +71,46 @@ def test_too_short_a_way():
     assert np.isnan(touch_down(0.001, 0.1, TORQUE, INERTIA, 5.0).time)
     both = touch_down([0.001, ANGLE], 0.1, TORQUE, INERTIA, 5.0)
     assert np.isnan(both.time).tolist() == [True, False]
+
+
+@pytest.mark.parametrize("most", [np.inf, 2.0, 0.8])
+@pytest.mark.parametrize("angle", [0.02, 0.5, 1.4])
+def test_ramps_cover_the_angle_and_meet_the_closed_form(most: float, angle: float) -> None:
+    """Pieces of constant rate: their way is the angle, they end at the arrival's rate, no slower than the closed form."""
+    arrival, acceleration = 0.3, 5.0
+    pieces = ramps(angle, arrival, acceleration, most, 8)
+    assert pieces[-1] == (np.inf, min(arrival, most))
+    times, rates = np.array(pieces[:-1]).T
+    assert (times * rates).sum() == pytest.approx(angle, rel=1e-12)
+    assert rates.max() <= most
+    closed = touch_down(angle, arrival, acceleration, 1.0)
+    if most >= closed.peak:
+        assert times.sum() == pytest.approx(float(closed.time), rel=1e-12)
+    else:
+        assert times.sum() > closed.time
+    # Within a ramp the rate changes by the acceleration.
+    middle = np.cumsum(times) - 0.5 * times
+    steps = np.abs(np.diff(rates) / np.diff(middle))
+    assert steps.max() == pytest.approx(acceleration, rel=1e-9) or len(steps) == 0
+
+
+def test_both_fingers_make_one_programme() -> None:
+    rows = together([(1.0, 0.5), (np.inf, 0.1)], [(0.4, 0.2), (0.9, 0.3), (np.inf, 0.0)])
+    assert [row[1] for row in rows] == [(0.5, 0.2), (0.5, 0.3), (0.1, 0.3), (0.1, 0.0)]
+    assert [row[0] for row in rows] == pytest.approx([0.4, 0.6, 0.3, np.inf])
+
+
+def test_a_finger_is_slow_as_far_off_as_the_uncertainty() -> None:
+    """From where the programme is at the touch rate: the finger's line is R + h + u from the disk's centre."""
+    text = (
+        "[hand]\npalm_width_mm = 120\nfinger_links_mm = [244]\nfinger_thickness_mm = 20\n[object]\nradius_mm = 38\n"
+        '[support]\nkind = "free"\n[start]\nat_mm = [30, 120]\n[behaviour]\nname = "touch_down"\n'
+        "uncertainty_mm = 15\nfinger_acceleration_deg_s2 = 300\ntouch_rate_deg_s = 4\n"
+    )
+    rows = touch_down_programme(parse_case(text, "test"))
+    for finger, side in ((0, 1.0), (1, -1.0)):
+        slow = max(k for k, row in enumerate(rows) if row[1][finger] > np.radians(4.0) * 1.001)
+        angle = sum(row[0] * row[1][finger] for row in rows[: slow + 1])
+        px, py = side * 0.03 - 0.06, 0.12
+        away = px * np.sin(angle) - py * np.cos(angle)
+        assert abs(away) == pytest.approx(0.038 + 0.010 + 0.015, abs=1e-9)
