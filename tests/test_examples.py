@@ -13,6 +13,7 @@ PRINTED = {
     "04_zero_gravity.py": "restitution 1.0: 102 mm at rest, or 32 mm/s",
     "05_four_joints.py": "radii up to 177.5 mm",
     "06_how_to_close.py": "curl first, curled by 50 deg: 35 % more",
+    "07_how_softly.py": "touch_down: 0.6 N at the first touch, caged",
 }
 
 
