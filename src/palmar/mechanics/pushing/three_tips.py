@@ -93,9 +93,7 @@ def first_touches(centres: Floats, rho: float, opened: float) -> tuple[Floats, F
     return at, np.arcsin(np.minimum(across / rho, 1.0))
 
 
-def ends(
-    radii: tuple[float, float, float, float], friction: float, drag: Floats | None, centres: Floats
-) -> NDArray[np.int8]:
+def ends(radii: tuple[float, float, float, float], friction: float, table: Drift, centres: Floats) -> NDArray[np.int8]:
     """Codes of the outcomes (N,) for centres (N, 2) of disks; ``radii``: of disk, tips, open and closed circle (m).
 
     STRUCTURAL: three contacts. FRICTIONAL: caged, but two tips have pinched the disk, which stalls them; the third stands on
@@ -105,7 +103,6 @@ def ends(
     rho = radius + tip
     caging = CAGE * rho
     centres = np.asarray(centres, dtype=float)
-    table = drift(drag, friction)
     at, beta = first_touches(centres, rho, opened)
     first = np.argmax(at, axis=1)[:, None]
     touch, lean0 = np.take_along_axis(at, first, 1)[:, 0], np.take_along_axis(beta, first, 1)[:, 0]
