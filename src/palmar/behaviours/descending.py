@@ -26,7 +26,7 @@ def fewest_descents(reach: Reach, belief: BaseGeometry, most: int, openings: tup
     """A plan with as few approaches as found, up to ``most``; with ``openings`` (m) only these are tried for a descent."""
     tried = openings if openings is not None else _openings(reach)
     for number in range(1, most + 1):
-        found = _solved(reach, belief, number, tried)
+        found = _solved(reach, belief, number, tried, choose=number == 2)
         if found is not None:
             return found
     return Stuck(belief)
@@ -38,8 +38,10 @@ def _openings(reach: Reach) -> tuple[float, ...]:
     return tuple(float(each) for each in np.linspace(low, high, OPENINGS))
 
 
-def _solved(reach: Reach, belief: BaseGeometry, most: int, openings: tuple[float, ...]) -> Descending | None:
-    """A plan with at most so many approaches; None where none was found."""
+def _solved(
+    reach: Reach, belief: BaseGeometry, most: int, openings: tuple[float, ...], *, choose: bool = False
+) -> Descending | None:
+    """A plan with at most so many approaches: the first found, or the one with the most room; None where none was found."""
     closing = reach.closing(belief)
     if closing is not None or most < 2:
         return closing
@@ -48,7 +50,7 @@ def _solved(reach: Reach, belief: BaseGeometry, most: int, openings: tuple[float
         found = _descent(reach, belief, stand, most, openings)
         if found is not None and (best is None or least_margin(found) > least_margin(best)):
             best = found
-        if best is not None and most > 2:
+        if best is not None and not choose:
             break
     return best
 

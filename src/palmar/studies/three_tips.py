@@ -79,10 +79,10 @@ def uncertain_disk(radius: float) -> BaseGeometry:
     return Point(0.0, 0.0).buffer(radius / cos(pi / CORNERS), quad_segs=CORNERS // 4)
 
 
-def plan_descents(task: Task, uncertainty: float, most: int, opening: float | None = None) -> Descending:
-    """The plan for a cylinder within ``uncertainty`` (m) of where it is thought to be; ``opening``: the only circle tried."""
+def plan_descents(task: Task, uncertainty: BaseGeometry, most: int, opening: float | None = None) -> Descending:
+    """The plan for a cylinder with such a set of position errors (m); ``opening``: the only circle tried for touching."""
     openings = None if opening is None else (opening, task.tips.open_radius)
-    return fewest_descents(task.reach, uncertain_disk(uncertainty), most, openings)
+    return fewest_descents(task.reach, uncertainty, most, openings)
 
 
 def largest_uncertainty(task: Task, most: int, opening: float | None = None, step: float = 1e-2) -> float:
@@ -105,16 +105,6 @@ def try_descents(task: Task, plan: Descending, centres: Floats, seed: int = 0) -
     run.follow(plan, np.asarray(centres, dtype=float), 0)
     total = max(run.caught + run.lost + run.given_up, 1)
     return Trial(run.caught, run.lost, run.given_up, run.most, run.sum / total)
-
-
-def drawn_centres(uncertainty: float, number: int, seed: int) -> Floats:
-    """Places (N, 2) in a disk, a quarter of them on its rim."""
-    rng = np.random.default_rng(seed)
-    angle = rng.uniform(0.0, 2.0 * pi, number)
-    share = np.sqrt(rng.uniform(size=number))
-    share[: number // 4] = 1.0
-    found: Floats = uncertainty * share[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    return found
 
 
 class _Run:
