@@ -10,7 +10,7 @@ from shapely import MultiPolygon, Point
 
 from palmar.faces.plots.areas import LEGEND_ROW, Band, draw_area, legend
 from palmar.faces.plots.dimensions import radius_dimension
-from palmar.faces.plots.facts import FACTS, Fact, write_facts
+from palmar.faces.plots.facts import Fact, write_facts
 from palmar.faces.plots.hand import draw_object
 from palmar.faces.plots.lettering import millimetres, square_millimetres
 from palmar.faces.plots.region_picture import CENTRE, ERROR, ROOM, millimetre_ticks
@@ -31,7 +31,7 @@ def tips_picture(task: Task, region: Region) -> Figure:
     """The region with the tips open and where they cage the cylinder, the allowed error, and the cylinder in the middle."""
     bands = [CENTRE, ERROR, OPEN, CAGING]
     sides = replace(ROOM.sides, bottom=LEGEND_ROW * 2 + 2.0)
-    room = replace(ROOM, sides=sides, outside=replace(ROOM.outside, right=FACTS))
+    room = replace(ROOM, sides=sides)
     reach = task.tips.open_radius + 1.5 * task.tips.tip_radius
     extent = Extent(-reach, -0.75 * reach, reach, reach)
     page = sheet([[extent]], title="From where three closing tips catch the cylinder", room=room)

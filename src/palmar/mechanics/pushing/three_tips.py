@@ -172,7 +172,7 @@ def lost_way(beta: float) -> float:
 def squeezed_place(rho: float, s: float) -> float:
     """Distance (m) from the middle, away from the third tip, of a disk between two tips that both touch it inside their chord.
 
-    s/2 - sqrt(rho^2 - 3 s^2 / 4); it falls to 0 at s = rho, where the third tip touches too.
+    s/2 - sqrt(rho^2 - 3 s^2/4); it falls to 0 at s = rho, where the third tip touches too.
     """
     return 0.5 * s - sqrt(max(rho * rho - 0.75 * s * s, 0.0))
 
