@@ -1,6 +1,6 @@
 """Three closing tips: closed forms against small steps and a general pusher, plans against trials, and a tilted hand.
 
-    python3 dev.py validate three_tips [STARTS [SEED]]
+python3 dev.py validate three_tips [STARTS [SEED]]
 """
 
 from __future__ import annotations
@@ -14,8 +14,6 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-from reference.slow_tips import DIRECTIONS, frictionless_ends
-
 from palmar.behaviours.descent import descents, is_certain
 from palmar.mechanics.pushing.push import Pusher, push
 from palmar.mechanics.pushing.slider import disk_slider
@@ -26,6 +24,7 @@ from palmar.models.three_tips import ThreeTips
 from palmar.regions.three_tips import tips_drag
 from palmar.studies.plan_trial import drawn_starts
 from palmar.studies.three_tips import Task, largest_uncertainty, plan_descents, try_descents, uncertain_disk
+from reference.slow_tips import DIRECTIONS, frictionless_ends
 
 RADIUS, TIP = 0.03, 0.01
 RHO = RADIUS + TIP
@@ -57,7 +56,9 @@ def against_pusher(starts: int, rng: np.random.Generator) -> None:
         first = at.argmax(axis=1)
         touch, lean = at.max(axis=1), beta[np.arange(starts), first]
         ours = leans(table, ways(table, lean) - (touch - CAGE * RHO) / RHO)
-        use = (touch > CAGE * RHO) & (np.hypot(*(centres[:, None] - opened * AXES).transpose(2, 0, 1)).min(axis=1) > RHO)
+        use = (touch > CAGE * RHO) & (
+            np.hypot(*(centres[:, None] - opened * AXES).transpose(2, 0, 1)).min(axis=1) > RHO
+        )
         use &= ours < 0.5 * pi
         axes = AXES[first[use]]
         paths = np.concatenate([opened * axes, CAGE * RHO * axes], axis=1)
@@ -65,12 +66,21 @@ def against_pusher(starts: int, rng: np.random.Generator) -> None:
         done = push(disk_slider(RADIUS), Pusher(TIP, friction), poses, paths)
         off = done.poses[:, :2] - CAGE * RHO * axes
         theirs = np.arctan2(np.abs(off[:, 0] * axes[:, 1] - off[:, 1] * axes[:, 0]), -(off * axes).sum(axis=1))
-        print(f"  friction {friction:g}: {use.sum()} pushes, beta differs by at most {np.abs(theirs - ours[use]).max():.1e} rad")
+        print(
+            f"  friction {friction:g}: {use.sum()} pushes, beta differs by at most {np.abs(theirs - ours[use]).max():.1e} rad"
+        )
 
 
 def plans(trials: int, seed: int) -> None:
     """The largest uncertain disks for one, two and three approaches, over rho, each with a trial."""
-    for opened, palm, friction in ((1.4, None, 0.5), (1.6, None, 0.5), (2.0, None, 0.5), (3.0, None, 0.5), (2.0, 0.02, 0.5), (2.0, None, 0.0)):
+    for opened, palm, friction in (
+        (1.4, None, 0.5),
+        (1.6, None, 0.5),
+        (2.0, None, 0.5),
+        (3.0, None, 0.5),
+        (2.0, 0.02, 0.5),
+        (2.0, None, 0.0),
+    ):
         tips = ThreeTips(tip_radius=TIP, open_radius=opened * RHO, closed_radius=0.02, palm_radius=palm)
         task = Task(tips, RADIUS, friction)
         words = []
@@ -80,7 +90,9 @@ def plans(trials: int, seed: int) -> None:
             plan = plan_descents(task, uncertain_disk(error), most)
             tried = try_descents(task, plan, drawn_starts(uncertain_disk(error), trials, seed), seed)
             assert is_certain(plan)
-            words.append(f"{descents(plan)}: {error / RHO:.2f} ({tried.lost + tried.given_up} lost, {time.perf_counter() - begin:.0f} s)")
+            words.append(
+                f"{descents(plan)}: {error / RHO:.2f} ({tried.lost + tried.given_up} lost, {time.perf_counter() - begin:.0f} s)"
+            )
         print(f"  open {opened:g} rho, palm {palm}, friction {friction:g}: " + ", ".join(words), flush=True)
 
 
@@ -88,12 +100,17 @@ def fixed_openings() -> None:
     """Two approaches when the first comes down with the tips on a given circle."""
     for opened in (2.0, 3.0):
         task = Task(ThreeTips(tip_radius=TIP, open_radius=opened * RHO, closed_radius=0.02), RADIUS, 0.5)
-        felt = Task(ThreeTips(tip_radius=TIP, open_radius=opened * RHO, closed_radius=0.02, palm_radius=0.02), RADIUS, 0.5)
+        felt = Task(
+            ThreeTips(tip_radius=TIP, open_radius=opened * RHO, closed_radius=0.02, palm_radius=0.02), RADIUS, 0.5
+        )
         row = [
             f"{each:g}: {largest_uncertainty(task, 2, each * RHO) / RHO:.2f}/{largest_uncertainty(felt, 2, each * RHO) / RHO:.2f}"
             for each in (0.5, 0.8, 1.0, 1.15, 1.3, 1.6, 1.9)
         ]
-        print(f"  open {opened:g} rho, touching circle over rho: without/with palm of 20 mm: " + ", ".join(row), flush=True)
+        print(
+            f"  open {opened:g} rho, touching circle over rho: without/with palm of 20 mm: " + ", ".join(row),
+            flush=True,
+        )
 
 
 def touched(trials: int, seed: int) -> None:
@@ -104,7 +121,10 @@ def touched(trials: int, seed: int) -> None:
         error = largest_uncertainty(task, 2)
         plan = plan_descents(task, uncertain_disk(error), 2)
         tried = try_descents(task, plan, drawn_starts(uncertain_disk(error), trials, seed), seed)
-        print(f"  touch moves it {1e3 * moved:g} mm, hand off {1e3 * off:g} mm: {error / RHO:.2f}, {tried.lost + tried.given_up} lost", flush=True)
+        print(
+            f"  touch moves it {1e3 * moved:g} mm, hand off {1e3 * off:g} mm: {error / RHO:.2f}, {tried.lost + tried.given_up} lost",
+            flush=True,
+        )
 
 
 def tilted(starts: int, rng: np.random.Generator) -> None:

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from palmar.geometry.prism import prism
-from palmar.regions.three_tips import tips_region
 from palmar.models.three_tips import ThreeTips
+from palmar.regions.three_tips import tips_region
 
 
 def test_region_plan_and_toppling_answer(palmar):

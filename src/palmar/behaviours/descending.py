@@ -17,12 +17,14 @@ WAYS, OPENINGS = 4, 12
 """Turns (within 120 degrees) and openings tried for a descent."""
 THIRD = 2.0 * pi / 3.0
 ROUND, NEAR = 0.99, 0.02
-"""Share of the circle around it from which a belief counts as round; share of its radius within which two middles are one."""
+"""Share of its circle from which a belief counts as round; share of the radius within which two middles are one."""
 ALIKE = 1e-6
 """Share of its area by which a belief may differ from another, turned, to be solved by that one's plan, turned."""
 
 
-def fewest_descents(reach: Reach, belief: BaseGeometry, most: int, openings: tuple[float, ...] | None = None) -> Descending:
+def fewest_descents(
+    reach: Reach, belief: BaseGeometry, most: int, openings: tuple[float, ...] | None = None
+) -> Descending:
     """A plan with as few approaches as found, up to ``most``; with ``openings`` (m) only these are tried for a descent."""
     tried = openings if openings is not None else _openings(reach)
     for number in range(1, most + 1):
@@ -56,8 +58,9 @@ def _solved(
 
 
 def least_margin(plan: Descending) -> float:
-    """The smallest distance (m) by which a belief may be shifted at any end of a plan; 0 where there is no proof."""
-    return min(each.margin if isinstance(each, Closing) else 0.0 for each in ends_of(plan))
+    """The smallest distance (m) by which a belief may be shifted where the hand comes down to close; 0 without a proof."""
+    moves = [each for each in ends_of(plan) if not (isinstance(each, Closing) and each.there)]
+    return min((each.margin if isinstance(each, Closing) else 0.0 for each in moves), default=0.0)
 
 
 def _stands(belief: BaseGeometry, openings: tuple[float, ...]) -> Iterator[Stand]:
@@ -89,7 +92,9 @@ def _descent(
     return Descent(belief, stand, tuple(sorted(done, key=lambda each: each.felt)))
 
 
-def _only(reach: Reach, belief: BaseGeometry, stand: Stand, outcome: tuple[tuple[str, ...], BaseGeometry]) -> Descent | None:
+def _only(
+    reach: Reach, belief: BaseGeometry, stand: Stand, outcome: tuple[tuple[str, ...], BaseGeometry]
+) -> Descent | None:
     """A descent that tells nothing is worth it only where it closes at once."""
     closing = reach.closing(outcome[1], stand)
     return Descent(belief, stand, (Branch(*outcome, closing),)) if closing is not None else None

@@ -17,7 +17,7 @@ from itertools import combinations
 from math import cos, pi, sin
 
 import shapely
-from shapely import Point, affinity
+from shapely import MultiPolygon, Point, affinity
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.placing import Target, place
@@ -57,7 +57,7 @@ class Stand:
 
 @dataclass(frozen=True)
 class Closing:
-    """Come down at ``stand`` (or, ``there``, stay) and close; ``margin`` (m): how far the belief may be shifted."""
+    """Come down at ``stand`` and close; ``margin`` (m): how far the belief may be shifted. ``there``: stay, with no margin."""
 
     belief: BaseGeometry
     stand: Stand
@@ -119,12 +119,14 @@ class Reach:
     """A hand of three tips over a cylinder of ``radius`` (m), with the regions of closing, and what is assumed of touches.
 
     ``displacement`` (m): how far a touch may shift the cylinder; ``pose_error`` (m): how far the hand may be from where it
-    should be. ``target``: the region of closing from the open circle.
+    should be. ``target``: the region of closing from the open circle; ``standing``: with what borders it at the tips
+    (``regions.three_tips.beside_tips``), for a hand that already stands there.
     """
 
     tips: ThreeTips
     radius: float
     target: Target
+    standing: MultiPolygon
     displacement: float = 0.0
     pose_error: float = 0.0
 
@@ -164,8 +166,12 @@ class Reach:
         seen = grown_by(belief, self.pose_error)
         if seen.area > self.target.region.area:
             return None
-        if stand is not None and stand.opening == self.tips.open_radius and (here := self._at(stand, seen)) is not None:
-            return Closing(belief, stand, here, there=True)
+        if (
+            stand is not None
+            and stand.opening == self.tips.open_radius
+            and (self.standing.covers(self._from_hand(stand, seen)))
+        ):
+            return Closing(belief, stand, 0.0, there=True)
         best: Closing | None = None
         for k in range(TURNS):
             turn = 2.0 * pi / 3.0 * k / TURNS
@@ -185,12 +191,14 @@ class Reach:
 
     def _at(self, stand: Stand, seen: BaseGeometry) -> float | None:
         """How far (m) the belief may be shifted with the hand there; None if it does not lie in the region."""
-        from_hand = affinity.rotate(
-            affinity.translate(seen, -stand.x, -stand.y), -stand.turn, origin=(0.0, 0.0), use_radians=True
-        )
+        from_hand = self._from_hand(stand, seen)
         if not self.target.region.covers(from_hand):
             return None
         return float(self.target.region.boundary.distance(from_hand))
+
+    def _from_hand(self, stand: Stand, seen: BaseGeometry) -> BaseGeometry:
+        moved = affinity.translate(seen, -stand.x, -stand.y)
+        return affinity.rotate(moved, -stand.turn, origin=(0.0, 0.0), use_radians=True)
 
 
 def grown_by(belief: BaseGeometry, distance: float) -> BaseGeometry:

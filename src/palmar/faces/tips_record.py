@@ -111,8 +111,10 @@ def descent_text(task: Task, plan: Descending, most: int, trial: Trial | None) -
 
 def _told(plan: Descending, indent: str) -> Iterator[str]:
     if isinstance(plan, Closing):
-        where = "stay and close" if plan.there else f"come down at {_at(plan.stand)} and close"
-        yield f"{indent}{where}; {1e3 * plan.margin:.3g} mm to spare"
+        if plan.there:
+            yield f"{indent}stay and close"
+        else:
+            yield f"{indent}come down at {_at(plan.stand)} and close; {1e3 * plan.margin:.3g} mm to spare"
     elif isinstance(plan, Descent):
         yield f"{indent}come down at {_at(plan.stand)}"
         for each in plan.branches:

@@ -28,7 +28,9 @@ class ThreeTips(Value):
             raise ValueError("the closed circle must be smaller than the open one")
         if self.closed_radius < self.touching * (1.0 - 1e-12):
             least = Unit.MILLIMETRE.from_si(self.touching)
-            raise ValueError(f"closed so far the tips would overlap: their circle has a radius of at least {least:.4g} mm")
+            raise ValueError(
+                f"closed so far the tips would overlap: their circle has a radius of at least {least:.4g} mm"
+            )
         return self
 
     @property

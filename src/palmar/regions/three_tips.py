@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi
+from math import acos, cos, pi, sin
 
 import numpy as np
 import shapely
@@ -52,7 +52,36 @@ def tips_region(tips: ThreeTips, radius: float, friction: float, pressure: Press
     return _region(centre, whole, friction, max(flattening, more), None)
 
 
-def _region(centre: MultiPolygon, whole: MultiPolygon, friction: float, flattening: float, reason: str | None) -> Region:
+def beside_tips(tips: ThreeTips, radius: float, friction: float, pressure: Pressure = Pressure.UNIFORM) -> MultiPolygon:
+    """What borders the region at the open tips: the sector of each one's disk of radius rho within which it catches.
+
+    A hand that already stands there without touching has the object outside of these disks, so they may be added to the
+    region where it closes at once: polygons then need no room between region and tips.
+    """
+    rho = radius + tips.tip_radius
+    table = drift(tips_drag(radius, pressure) if friction > 0.0 else None, friction)
+    if tips.open_radius <= rho or tips.closed_radius >= CAGE * rho:
+        return EMPTY
+    lean = _end_lean(table, rho, tips.open_radius)
+    pieces = []
+    for axis in AXES:
+        across = np.array([axis[1], -axis[0]])
+        at, ahead, aside = tips.open_radius * axis, -2.0 * rho * cos(lean) * axis, 2.0 * rho * sin(lean) * across
+        around = Point(*at).buffer(rho / cos(pi / (4.0 * ARC)), quad_segs=ARC)
+        pieces.append(around & Polygon([at, at + ahead + aside, at + ahead - aside]))
+    return areal(shapely.union_all(pieces))
+
+
+def _end_lean(table: Drift, rho: float, opened: float) -> float:
+    """|beta| (rad) up to which a disk that the open tips just touch is caught."""
+    if opened <= CAGE * rho:
+        return WITHIN - acos(opened / (CAGE * rho))
+    return float(leans(table, ways(table, np.array([WITHIN])) + opened / rho - CAGE)[0])
+
+
+def _region(
+    centre: MultiPolygon, whole: MultiPolygon, friction: float, flattening: float, reason: str | None
+) -> Region:
     return Region(
         model=Model.EXACT,
         closure=Closure.FRICTIONAL if friction > 0.0 else Closure.STRUCTURAL,
@@ -81,8 +110,7 @@ def _ring(table: Drift, rho: float, opened: float) -> tuple[MultiPolygon, float]
 
 def _horn(table: Drift, rho: float, opened: float) -> tuple[Floats, float]:
     """(y, t) of one horn, t along the tip's axis, y to its right, from its right root around the open tip to its left root."""
-    root = ways(table, np.array([WITHIN]))
-    beta_end = float(leans(table, root + opened / rho - CAGE)[0])
+    beta_end = _end_lean(table, rho, opened)
     ends = np.linspace(beta_end, -beta_end, ARC + 1)
     outside = rho / cos(beta_end / ARC)
     cap = np.stack([outside * np.sin(ends), opened - outside * np.cos(ends)], axis=1)
@@ -102,5 +130,3 @@ def _side(table: Drift, rho: float, beta: Floats) -> Floats:
     way = rho * (ways(table, beta) - ways(table, np.array([WITHIN])))
     found: Floats = np.stack([rho * np.sin(beta), CAGE * rho + way - rho * np.cos(beta)], axis=1)
     return found
-
-

@@ -24,12 +24,13 @@ from palmar.behaviours.descent import (
     is_certain,
 )
 from palmar.behaviours.placing import target
+from palmar.geometry.planar_set import areal
 from palmar.mechanics.pushing.three_tips import drift, ends
 from palmar.models.outcome import Outcome
 from palmar.models.support import Pressure
 from palmar.models.three_tips import ThreeTips
 from palmar.regions.region import Region
-from palmar.regions.three_tips import tips_drag, tips_region
+from palmar.regions.three_tips import beside_tips, tips_drag, tips_region
 
 Floats = NDArray[np.float64]
 CAUGHT = tuple(each.code for each in Outcome if each.caught)
@@ -60,7 +61,9 @@ class Task:
     def reach(self) -> Reach:
         """What the search for a plan needs."""
         goal = target(self.region.centre)
-        return Reach(self.tips, self.radius, goal, self.displacement, self.pose_error)
+        borders = beside_tips(self.tips, self.radius, self.friction, self.pressure)
+        standing = areal(self.region.centre | borders)
+        return Reach(self.tips, self.radius, goal, standing, self.displacement, self.pose_error)
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,5 @@
 import numpy as np
 import pytest
-from reference.slow_tips import frictionless_ends
 
 from palmar.mechanics.pushing.push import Pusher, push
 from palmar.mechanics.pushing.slider import disk_slider
@@ -20,6 +19,7 @@ from palmar.mechanics.pushing.three_tips import (
 from palmar.models.outcome import Outcome
 from palmar.models.support import Pressure
 from palmar.regions.three_tips import tips_drag
+from reference.slow_tips import frictionless_ends
 
 RADII = 0.03, 0.01, 0.08, 0.02
 RHO = 0.04
@@ -77,7 +77,9 @@ def test_two_tips_cage_as_their_gap_equals_the_diameter():
     assert distance_apart(CAGE * RHO) == pytest.approx(2.0 * RHO)
     assert squeezed_place(RHO, CAGE * RHO) == pytest.approx(RHO / np.sqrt(3.0))
     assert squeezed_place(RHO, RHO) == pytest.approx(0.0, abs=1e-15)
-    narrow, wide = (ends((0.03, 0.01, 0.08, CAGE * RHO * each), 0.0, SMOOTH, np.zeros((1, 2))) for each in (0.999, 1.001))
+    narrow, wide = (
+        ends((0.03, 0.01, 0.08, CAGE * RHO * each), 0.0, SMOOTH, np.zeros((1, 2))) for each in (0.999, 1.001)
+    )
     assert Outcome.from_code(int(narrow[0])) is Outcome.CAGED and Outcome.from_code(int(wide[0])) is Outcome.MISSED
 
 
@@ -85,7 +87,11 @@ def test_friction_above_tan_30_degrees_lets_a_pair_pinch_every_disk_it_meets_fir
     table = drift(tips_drag(0.03, Pressure.UNIFORM), 0.6)
     off = np.array([[0.004, 0.02], [0.01, -0.01], [0.0, 0.0]])
     pair = ends(RADII, 0.6, table, off)
-    assert [Outcome.from_code(int(each)) for each in pair] == [Outcome.FRICTIONAL, Outcome.FRICTIONAL, Outcome.STRUCTURAL]
+    assert [Outcome.from_code(int(each)) for each in pair] == [
+        Outcome.FRICTIONAL,
+        Outcome.FRICTIONAL,
+        Outcome.STRUCTURAL,
+    ]
     assert (ends(RADII, 0.0, SMOOTH, off) == Outcome.STRUCTURAL.code).all()
 
 

@@ -28,7 +28,9 @@ def write_swept(out: Path | None, centre: MultiPolygon, text: str) -> str:
     if out is None or out.suffix.lower() not in SOLIDS:
         raise InputError("--out", None if out is None else str(out), f"--sweep writes {', '.join(SOLIDS)}")
     if length <= width:
-        raise InputError("--sweep", text[:60], "the cylinder is no longer than the hand is wide: it slips out between the fingers")
+        raise InputError(
+            "--sweep", text[:60], "the cylinder is no longer than the hand is wide: it slips out between the fingers"
+        )
     if centre.is_empty:
         raise InputError("--sweep", text[:60], "there is no region to sweep")
     reach = 0.5 * (length - width)
