@@ -1,9 +1,9 @@
 """Coming down on a cylinder with three fingertips: what each touch tells, and the moves that surely end in a grasp.
 
-The hand comes down along the cylinder's axis. A tip lands on the top if it stands less than rho = R + r_t from the axis: then
-the axis is in the disk of radius rho about that tip. Tips come first; only if none has touched can the palm, a disk of radius
-r_p, touch: then the axis is within R + r_p of the hand's middle. Which tips touch tells which of those disks the axis is in
-and which it is not in; the belief becomes that set, and the hand lifts, moves and comes down again, or closes.
+The hand comes down along the cylinder's axis. A tip lands on the top if it stands less than rho = R + r_t from the axis:
+then the axis is in the disk of radius rho about that tip. Tips come first; only if none has touched can the palm, a disk of
+radius r_p, touch: then the axis is within R + r_p of the hand's middle. Which tips touch tells which of those disks the axis
+is in and which it is not in; the belief becomes that set, and the hand lifts, moves and comes down again, or closes.
 
 One frame serves a whole plan: that of the table, its origin where the object is thought to be. ``Closing`` is a proof: the
 belief it has lies in the region of the closing tips there.
@@ -57,7 +57,7 @@ class Stand:
 
 @dataclass(frozen=True)
 class Closing:
-    """Come down at ``stand`` and close; ``margin`` (m): how far the belief may be shifted. ``there``: stay, with no margin."""
+    """Come down at ``stand`` and close; ``margin`` (m): how far the belief may be shifted. ``there``: stay, no margin."""
 
     belief: BaseGeometry
     stand: Stand
@@ -164,14 +164,11 @@ class Reach:
         With ``stand``, first where the hand already is, if its tips are open to their circle.
         """
         seen = grown_by(belief, self.pose_error)
+        if stand is not None and stand.opening == self.tips.open_radius:
+            if self.standing.covers(self._from_hand(stand, seen)):
+                return Closing(belief, stand, 0.0, there=True)
         if seen.area > self.target.region.area:
             return None
-        if (
-            stand is not None
-            and stand.opening == self.tips.open_radius
-            and (self.standing.covers(self._from_hand(stand, seen)))
-        ):
-            return Closing(belief, stand, 0.0, there=True)
         best: Closing | None = None
         for k in range(TURNS):
             turn = 2.0 * pi / 3.0 * k / TURNS

@@ -45,7 +45,7 @@ def prism(base: MultiPolygon, low: float, high: float) -> Mesh:
 
 
 def _flat(part: Polygon) -> tuple[Floats, Integers, Integers]:
-    """Corners (N, 2) of a polygon, triangles over it (T, 3), counter-clockwise, and edges (E, 2), the inside to their left."""
+    """Corners (N, 2) of a polygon, counter-clockwise triangles over it (T, 3), edges (E, 2), the inside to their left."""
     turned = shapely.geometry.polygon.orient(part)
     rings = [np.asarray(each.coords)[:-1] for each in (turned.exterior, *turned.interiors)]
     points = np.concatenate(rings)

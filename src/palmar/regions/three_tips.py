@@ -109,7 +109,7 @@ def _ring(table: Drift, rho: float, opened: float) -> tuple[MultiPolygon, float]
 
 
 def _horn(table: Drift, rho: float, opened: float) -> tuple[Floats, float]:
-    """(y, t) of one horn, t along the tip's axis, y to its right, from its right root around the open tip to its left root."""
+    """(y, t) of one horn, t along the tip's axis, y to its right: right side, around the open tip, left side."""
     beta_end = _end_lean(table, rho, opened)
     ends = np.linspace(beta_end, -beta_end, ARC + 1)
     outside = rho / cos(beta_end / ARC)

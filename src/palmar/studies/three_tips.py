@@ -1,4 +1,4 @@
-"""Three fingertips from above: the plan for an uncertain place, its trial, and the largest uncertainty for a number of approaches."""
+"""Three fingertips from above: the plan for an uncertain place, its trial, the largest uncertainty for some approaches."""
 
 from __future__ import annotations
 

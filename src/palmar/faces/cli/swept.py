@@ -36,7 +36,8 @@ def write_swept(out: Path | None, centre: MultiPolygon, text: str) -> str:
     reach = 0.5 * (length - width)
     mesh = prism(centre, -reach, reach)
     write_solid(out, mesh)
-    said = f"Written: {out} ({len(mesh.triangles)} triangles, {1e6 * mesh.volume:.4g} cm3, {2e3 * reach:.4g} mm along the axis)"
+    size = f"{1e6 * mesh.volume:.4g} cm3, {2e3 * reach:.4g} mm along the axis"
+    said = f"Written: {out} ({len(mesh.triangles)} triangles, {size})"
     if length < 2.0 * width:
         said += "\nThe source asks for a cylinder at least twice as long as the hand is wide; this one is shorter."
     return said

@@ -19,7 +19,7 @@ POINTS, INDICES = 34962, 34963
 
 
 def write_solid(path: Path, mesh: Mesh) -> None:
-    """Write the surface whole or not at all; raises InputError for an unknown ending, OutputError where it cannot be written."""
+    """Write the surface whole or not at all; raises InputError for an unknown ending, OutputError where writing fails."""
     texts: dict[str, Callable[[Mesh], bytes]] = {".stl": _stl, ".ply": _ply, ".glb": _glb}
     ending = path.suffix.lower()
     if ending not in texts:

@@ -58,7 +58,7 @@ def push_heights(radius: float, table_friction: float, friction: float) -> PushH
 
 
 def loads(radius: float, mass: float, table_friction: float, at: tuple[float, float], angle: float) -> Loads:
-    """``at``: height z and distance b (m) back from the tipping edge; ``angle``: lambda (rad) from straight down, 0 to pi."""
+    """``at``: height z and distance b back from the tipping edge (m); ``angle``: lambda (rad) from straight down."""
     z, back = at
     weight = mass * GRAVITY
     lever, excess = z * sin(angle) - back * cos(angle), sin(angle) - table_friction * cos(angle)
@@ -118,7 +118,7 @@ def toppling_slope(radius: float, height: float, table_friction: float) -> float
 
 
 def steepest_landing(radius: float, height: float, off_axis: float) -> float:
-    """tan(lambda) up to which a force on the top face never topples, ``off_axis`` (m) from the axis towards the tipping edge.
+    """tan(lambda) up to which a force on the top never topples, ``off_axis`` (m) from the axis towards the tipping edge.
 
     (R - off_axis) / H: a vertical force never does, wherever on the top it acts.
     """

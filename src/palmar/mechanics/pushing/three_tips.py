@@ -39,7 +39,7 @@ NODES, LOWEST = 4096, -12.0
 
 
 class Drift(NamedTuple):
-    """``way``: what a tip travels until beta = 90 degrees, over rho, at equal steps of u = ln tan(beta/2) from LOWEST to 0."""
+    """``way``: of a tip until beta = 90 degrees, over rho, at equal steps of u = ln tan(beta/2) from LOWEST to 0."""
 
     u: Floats
     way: Floats
@@ -155,12 +155,12 @@ def frictionless_area(rho: float, opened: float) -> float:
 
 
 def allowed_error(rho: float, opened: float, closed: float) -> float:
-    """Radius (m) of the largest circle in the region, about the middle, for any friction and any pressure about the centre."""
+    """Radius (m) of the largest circle in the region, about the middle, for any friction and pressure about the centre."""
     return max(min(opened - rho, rho / sqrt(3.0)), 0.0) if closed < CAGE * rho else 0.0
 
 
 def held_radii(tip: float, opened: float, closed: float) -> tuple[float, float, float]:
-    """Disk radii (m): from the first on a disk is caged, from the second on three tips touch it, up to the third it fits in."""
+    """Disk radii (m): from the first on it is caged, from the second on three tips touch it, up to the third it fits in."""
     return max(closed / CAGE - tip, 0.0), max(closed - tip, 0.0), max(opened - tip, 0.0)
 
 
@@ -170,7 +170,7 @@ def lost_way(beta: float) -> float:
 
 
 def squeezed_place(rho: float, s: float) -> float:
-    """Distance (m) from the middle, away from the third tip, of a disk between two tips that both touch it inside their chord.
+    """Distance (m) from the middle, away from the third tip, of a disk that two tips touch inside their chord.
 
     s/2 - sqrt(rho^2 - 3 s^2/4); it falls to 0 at s = rho, where the third tip touches too.
     """
