@@ -164,9 +164,9 @@ class Reach:
         With ``stand``, first where the hand already is, if its tips are open to their circle.
         """
         seen = grown_by(belief, self.pose_error)
-        if stand is not None and stand.opening == self.tips.open_radius:
-            if self.standing.covers(self._from_hand(stand, seen)):
-                return Closing(belief, stand, 0.0, there=True)
+        stays = stand is not None and stand.opening == self.tips.open_radius
+        if stand is not None and stays and self.standing.covers(self._from_hand(stand, seen)):
+            return Closing(belief, stand, 0.0, there=True)
         if seen.area > self.target.region.area:
             return None
         best: Closing | None = None

@@ -67,8 +67,10 @@ def beside_tips(tips: ThreeTips, radius: float, friction: float, pressure: Press
     for axis in AXES:
         across = np.array([axis[1], -axis[0]])
         at, ahead, aside = tips.open_radius * axis, -2.0 * rho * cos(lean) * axis, 2.0 * rho * sin(lean) * across
+        wedge = Polygon([at, at + ahead + aside, at + ahead - aside])
         around = Point(*at).buffer(rho / cos(pi / (4.0 * ARC)), quad_segs=ARC)
-        pieces.append(around & Polygon([at, at + ahead + aside, at + ahead - aside]))
+        # within the caging circle all of the tips' triangle is either in such a disk or between the tips
+        pieces.append(around & (wedge if tips.open_radius > CAGE * rho else Polygon(tips.open_radius * AXES)))
     return areal(shapely.union_all(pieces))
 
 
