@@ -9,8 +9,12 @@ import shapely
 from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 
+from palmar.geometry.planar_set import areal
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+GRID = 1e-6
+"""Of the corners (m)."""
 
 
 @dataclass(frozen=True)
@@ -28,11 +32,14 @@ class Mesh:
 
 
 def prism(base: MultiPolygon, low: float, high: float) -> Mesh:
-    """The set between the heights ``low`` and ``high`` (m); each of its parts is a closed surface of its own."""
+    """The set between the heights ``low`` and ``high`` (m); each of its parts is a closed surface of its own.
+
+    Corners are rounded to ``GRID``, so that files in single precision keep them apart.
+    """
     corners: list[Floats] = [np.zeros((0, 3))]
     triangles: list[Integers] = [np.zeros((0, 3), np.int64)]
     count = 0
-    for part in base.geoms:
+    for part in areal(shapely.set_precision(base, GRID)).geoms:
         points, caps, edges = _flat(part)
         n = len(points)
         for z in (low, high):

@@ -32,7 +32,7 @@ def write_swept(out: Path | None, centre: MultiPolygon, text: str) -> str:
             "--sweep", text[:60], "the cylinder is no longer than the hand is wide: it slips out between the fingers"
         )
     if centre.is_empty:
-        raise InputError("--sweep", text[:60], "there is no region to sweep")
+        raise InputError("--sweep", text[:60], "nothing is caught, so there is no region to sweep")
     reach = 0.5 * (length - width)
     mesh = prism(centre, -reach, reach)
     write_solid(out, mesh)
