@@ -60,3 +60,11 @@ def test_a_swept_region_is_closed():
     once, counts = np.unique(edges, axis=0, return_counts=True)
     assert (counts == 1).all() and {tuple(each) for each in once} == {tuple(each[::-1]) for each in once}
     assert mesh.volume == pytest.approx(0.03 * region.area)
+
+
+def test_a_planar_region_is_swept_too(palmar, tmp_path):
+    answer = palmar(
+        "region", "testbed_table", "--closure", "structural", "--sweep", "300,200", "--out", tmp_path / "x.ply"
+    )
+    assert answer.status == 0 and "100 mm along the axis" in answer.out and "twice" in answer.out
+    assert palmar("region", "testbed_table", "--sweep", "300", "--out", tmp_path / "x.svg").status == 2

@@ -84,7 +84,7 @@ def _descent(
         return None if reach.closing(belief, stand) is None else _only(reach, belief, stand, outcomes[0])
     done: list[Branch] = []
     for felt, left in outcomes:
-        then: Descending | None = reach.closing(left, stand) or _as_before(left, done, stand)
+        then: Descending | None = _as_before(left, done, stand) or reach.closing(left, stand)
         then = then or _solved(reach, left, most - 1, openings)
         if then is None:
             return None
