@@ -17,17 +17,17 @@ def test_one_approach_serves_an_uncertainty_of_rho_over_root_3():
     assert largest_uncertainty(task(), 1) == pytest.approx(RHO / 3.0**0.5, rel=0.02)
 
 
-@pytest.mark.parametrize("doubt", [{}, {"displacement": 0.004, "pose_error": 0.002}])
-def test_two_approaches_lose_none_of_those_drawn(doubt):
+@pytest.mark.parametrize(("doubt", "circle"), [({}, 0.6 * RHO), ({"displacement": 0.004, "pose_error": 0.002}, None)])
+def test_two_approaches_lose_none_of_those_drawn(doubt, circle):
     given, errors = task(**doubt), uncertain_disk(0.8 * RHO)
-    plan = plan_descents(given, errors, 2)
+    plan = plan_descents(given, errors, 2, circle)
     assert is_certain(plan) and descents(plan) == 2
     tried = try_descents(given, plan, drawn_starts(errors, 20_000, 2), 2)
     assert (tried.caught, tried.lost, tried.given_up, tried.most) == (20_000, 0, 0, 2)
 
 
 def test_a_plan_for_too_little_loses_some_of_those_drawn():
-    plan = plan_descents(task(), uncertain_disk(0.8 * RHO), 2)
+    plan = plan_descents(task(), uncertain_disk(0.8 * RHO), 2, 0.6 * RHO)
     tried = try_descents(task(), plan, drawn_starts(uncertain_disk(1.6 * RHO), 2_000, 2))
     assert tried.lost + tried.given_up > 100
 
@@ -43,7 +43,7 @@ def test_two_tips_are_never_felt_at_once_beyond_the_caging_circle():
 
 def test_every_belief_after_a_touch_is_part_of_the_one_before():
     errors = uncertain_disk(1.0 * RHO)
-    plan = plan_descents(task(), errors, 2)
+    plan = plan_descents(task(), errors, 2, 0.6 * RHO)
     assert isinstance(plan, Descent)
     assert sum(each.belief.area for each in plan.branches) >= errors.area * (1.0 - 1e-9)
     assert all(isinstance(each, Closing) and errors.buffer(1e-9).covers(each.belief) for each in ends_of(plan))
