@@ -19,7 +19,7 @@ THIRD = 2.0 * pi / 3.0
 ROUND, NEAR = 0.99, 0.02
 """Share of its circle from which a belief counts as round; share of the radius within which two middles are one."""
 ALIKE = 1e-6
-"""Share of its area by which a belief may differ from another, turned, to be solved by that one's plan, turned."""
+"""Share of area, and of rho, by which a belief may differ from another, turned, to be solved by its plan, turned."""
 
 
 def fewest_descents(
@@ -84,7 +84,7 @@ def _descent(
         return None if reach.closing(belief, stand) is None else _only(reach, belief, stand, outcomes[0])
     done: list[Branch] = []
     for felt, left in outcomes:
-        then: Descending | None = _as_before(left, done, stand) or reach.closing(left, stand)
+        then: Descending | None = _as_before(reach, left, done, stand) or reach.closing(left, stand)
         then = then or _solved(reach, left, most - 1, openings)
         if then is None:
             return None
@@ -100,14 +100,15 @@ def _only(
     return Descent(belief, stand, (Branch(*outcome, closing),)) if closing is not None else None
 
 
-def _as_before(left: BaseGeometry, done: list[Branch], stand: Stand) -> Descending | None:
-    """The plan of a branch whose belief is this one turned by a third about the hand."""
+def _as_before(reach: Reach, left: BaseGeometry, done: list[Branch], stand: Stand) -> Descending | None:
+    """The plan of a branch whose belief, turned by a third about the hand, holds this one but for less than its margins."""
+    slack = ALIKE * reach.rho
     for each in done:
-        if abs(float(each.belief.area - left.area)) > ALIKE * left.area:
+        if abs(float(each.belief.area - left.area)) > ALIKE * left.area or least_margin(each.then) <= 2.0 * slack:
             continue
         for angle in (THIRD, -THIRD):
             image = affinity.rotate(each.belief, angle, origin=(stand.x, stand.y), use_radians=True)
-            if image.symmetric_difference(left).area < ALIKE * left.area:
+            if image.buffer(slack).covers(left):
                 return _turned(each.then, angle, (stand.x, stand.y))
     return None
 
