@@ -22,6 +22,7 @@ for name, summary in {
     "validate": "A region put to the test: random starts inside and outside of it, in a world.",
     "testbed": "The planar test bed of the source: pre-images found by trial and error.",
     "plan": "Approaches by touch that certainly end in a grasp.",
+    "tips": "Three fingertips from above: from where they catch a cylinder, plans by touch, toppling.",
     "touch": "What the hand's sensors buy, and how few would do.",
     "behaviours": "What the hand can be told to do, and a run of it under feedback.",
     "preshape": "The distal angle with which a disk rides on the finger.",

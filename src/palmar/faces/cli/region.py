@@ -62,12 +62,15 @@ def region(
     seen_from: Annotated[
         Seen, Parameter(help="hand: where may the object be; object: where may the hand be.")
     ] = Seen.HAND,
+    sweep: Annotated[
+        Text, Parameter(help="LENGTH_MM[,WIDTH_MM]: of a cylinder and the hand along its axis, for stl, glb, ply.")
+    ] = None,
     out: Annotated[Path | None, Parameter(help="Also write a file: svg, pdf, png, dxf, geojson, csv or json.")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
     """Centre, contact and whole region of the closing motion, area and allowed position error; and how far they apply."""
-    if out is not None:
+    if out is not None and sweep is None:
         from palmar.faces.exports.region_file import known_ending
 
         known_ending(out)
@@ -90,11 +93,7 @@ def region(
         record, text = region_record(result, from_object=from_object), region_text(result)
         caught = not result.centre.is_empty
     record |= answers_record(given, found)
-    if out is not None and result is not None:
-        from palmar.faces.exports.region_file import write_region
-
-        write_region(out, given, result, from_object=from_object, record=record)
-    written = [f"Written: {out}"] if out is not None and result is not None else []
+    written = [] if result is None else _written(out, sweep, given, result, from_object, record)
     show(titled(name, given, text, *answers_text(given, found), *written), record, json)
     answer(caught, check)
 
@@ -114,6 +113,23 @@ def _built(
         if not by_starts:
             raise
         return None, str(error)
+
+
+def _written(
+    out: Path | None, sweep: str | None, case: Case, region: Region, from_object: bool, record: dict[str, Any]
+) -> list[str]:
+    """Write the file asked for, flat or swept along the cylinder's axis, and say so."""
+    if sweep is not None:
+        from palmar.faces.cli.swept import write_swept
+        from palmar.geometry.planar_set import seen_from_object
+
+        return [write_swept(out, seen_from_object(region.centre) if from_object else region.centre, sweep)]
+    if out is None:
+        return []
+    from palmar.faces.exports.region_file import write_region
+
+    write_region(out, case, region, from_object=from_object, record=record)
+    return [f"Written: {out}"]
 
 
 def _any_caught(found: Answers) -> bool:

@@ -75,7 +75,7 @@ def push(
 
     def part(first: int) -> None:
         rows = slice(first, first + ROWS_PER_TASK)
-        push_rows(slider, pusher, poses[rows], lines[rows], tolerance, codes[rows], several[rows])
+        push_rows(slider, pusher, poses[rows], lines[rows], tolerance, codes[rows], several[rows], workspace())
 
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(part, range(0, len(poses), ROWS_PER_TASK)))
@@ -85,10 +85,9 @@ def push(
 @compiled
 def push_rows(
     slider: Slider, pusher: Pusher, poses: Floats, paths: Floats, tolerance: float,
-    codes: NDArray[np.int64], several: NDArray[np.bool_],
+    codes: NDArray[np.int64], several: NDArray[np.bool_], space: Workspace,
 ) -> None:  # fmt: skip
-    """Advance every pose of the object's frame in place."""
-    space = workspace()
+    """Advance every pose of the object's frame in place. The workspace is made outside: such a kernel makes no arrays."""
     cx, cy = slider.centre
     for i in range(len(poses)):
         c, s = cos(poses[i, 2]), sin(poses[i, 2])
