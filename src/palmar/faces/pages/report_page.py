@@ -39,7 +39,7 @@ from palmar.studies.jointed_closure import JointedClosure
 from palmar.studies.report import Closings, Report
 from palmar.studies.strategies import winner
 
-CAREFULLY = "This is a quick search, with coarser spacings than `palmar strategies` has."
+CAREFULLY = "This is a quick search, with coarser spacings than palmar strategies has."
 
 
 def report_page(report: Report) -> str:
