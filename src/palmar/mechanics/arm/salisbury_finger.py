@@ -1,0 +1,53 @@
+"""A finger of the Salisbury hand: where its tip is, and which tensions of its four tendons make its joint torques.
+
+N joints are pulled by N + 1 tendons, because a tendon cannot push. The torques fix the tensions up to one number, the
+internal tension; it is chosen so that the slackest tendon has the pretension.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.models.salisbury_hand import SalisburyHand
+
+Floats = NDArray[np.float64]
+
+
+def joint_torques(hand: SalisburyHand, tensions: Floats) -> Floats:
+    """Torques (…, 3) in N m of tensions (…, 4) in N: tau = R T (patent US 4921293)."""
+    return np.asarray(tensions, float) @ hand.tendon_matrix.T
+
+
+def internal(hand: SalisburyHand) -> Floats:
+    """Tensions (4,) that make no torque: (R2/R1, 1, 1, R2/R1), all positive."""
+    share = hand.radii[1] / hand.radii[0]
+    return np.array([share, 1.0, 1.0, share])
+
+
+def tensions(hand: SalisburyHand, torques: Floats) -> Floats:
+    """The least tensions (…, 4) in N, none below the pretension, that make torques (…, 3) in N m.
+
+    T2 - T3 = tau3 / R2, T1 - T4 = (tau2 - tau3) / R3, R2 (T2 + T3) - R1 (T1 + T4) = tau1; then as much of the internal
+    tension as the slackest tendon needs.
+    """
+    torques = np.asarray(torques, float)
+    one, two, three = hand.radii
+    inner, outer = torques[..., 2] / two, (torques[..., 1] - torques[..., 2]) / three
+    both = 0.5 * torques[..., 0] / two
+    some = np.stack([0.5 * outer, both + 0.5 * inner, both - 0.5 * inner, -0.5 * outer], axis=-1)
+    none = internal(hand)
+    needed = ((hand.tension_least - some) / none).max(axis=-1, keepdims=True)
+    whole: Floats = some + needed * none
+    return whole
+
+
+def tip_in_hand(hand: SalisburyHand, finger: int, joints: Floats) -> Floats:
+    """Centre (…, 3) in m of a finger's tip in the hand frame at joint angles (…, 3) in rad."""
+    joints = np.asarray(joints, float)
+    swing, first, both = joints[..., 0], joints[..., 1], joints[..., 1] + joints[..., 2]
+    near, far = hand.links
+    inward, up = near * np.sin(first) + far * np.sin(both), near * np.cos(first) + far * np.cos(both)
+    radial, side, height = hand.base_circle - inward, -up * np.sin(swing), up * np.cos(swing)
+    cosine, sine = np.cos(hand.bases[finger]), np.sin(hand.bases[finger])
+    return np.stack([cosine * radial - sine * side, sine * radial + cosine * side, height], axis=-1)
