@@ -47,7 +47,8 @@ class SalisburyHand:
     ``base_circle``: radius of the circle of the joints 2; ``links``: proximal, distal up to the tip's centre;
     ``radii``: R1, R2, R3 of the tendons' pulleys (the patent's drawing has R3 > R1 > R2); ``mount``: from frame 6
     of the arm to the palm's face along their common z axis; ``pads``: half sizes of one of the palm's two contact
-    sensors, which lie side by side along x at plus and minus ``pad_offset``.
+    sensors, which lie side by side along x at plus and minus ``pad_offset``, shifted by ``grasp_line`` along y: the
+    middle between finger 0 and the bases of the others, where a cylinder lies across the palm.
     """
 
     bases: tuple[float, float, float] = (pi / 2, pi / 2 + 2 * pi / 3, pi / 2 - 2 * pi / 3)
@@ -82,6 +83,11 @@ class SalisburyHand:
         """(3, 4): joint torques are this times tensions; the patent's law."""
         one, two, three = self.radii
         return np.array([[-one, two, two, -one], [three, two, -two, -three], [0.0, two, -two, 0.0]])
+
+    @property
+    def grasp_line(self) -> float:
+        """y (m) in the hand frame of the middle between the base of finger 0 and those of fingers 1 and 2."""
+        return 0.25 * self.base_circle
 
     @property
     def width(self) -> float:

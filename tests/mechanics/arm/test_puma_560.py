@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from palmar.mechanics.arm.puma_560 import D, LIMITS, forward, inverse, jacobian, nearest, reachable
+from palmar.mechanics.arm.puma_560 import D, LOWER, UPPER, forward, inverse, jacobian, nearest, reachable
 
 RANDOM = np.random.default_rng(5)
-JOINTS = RANDOM.uniform(-LIMITS, LIMITS, (10_000, 6))
+JOINTS = RANDOM.uniform(LOWER, UPPER, (10_000, 6))
 
 
 def test_the_toolbox_prints_these_poses():
@@ -42,8 +42,15 @@ def test_a_straight_wrist_has_an_inverse():
 
 
 def test_the_nearest_inverse_keeps_whole_turns():
-    joints = np.radians([20.0, 30.0, -100.0, 200.0, 40.0, -250.0])
+    joints = np.radians([20.0, 30.0, -100.0, 160.0, 40.0, -250.0])
     assert nearest(forward(joints), joints + 0.01) == pytest.approx(joints, abs=1e-9)
+
+
+def test_the_limits_hold_the_toolbox_s_nominal_pose():
+    nominal = forward(np.radians([0.0, 45.0, 180.0, 0.0, 45.0, 0.0]))
+    assert nearest(nominal, np.radians([0.0, 45.0, -180.0, 0.0, 45.0, 0.0])) == pytest.approx(
+        np.radians([0.0, 45.0, -180.0, 0.0, 45.0, 0.0]), abs=1e-9
+    )
 
 
 def test_what_is_out_of_reach_has_no_inverse():

@@ -1,8 +1,11 @@
 """The Puma 560: forward kinematics, all closed-form inverses, Jacobian, and which places of the hand it can serve.
 
-Standard Denavit-Hartenberg parameters, A_i = Rot_z(q_i) Trans(a_i, 0, d_i) Rot_x(alpha_i); lengths and joint limits of the
-robotics toolbox (Corke and Armstrong-Helouvry 1994, as in its model Puma560). The base frame has its z axis up and its
-origin at the shoulder; the last three axes meet in the origin of frame 6.
+Standard Denavit-Hartenberg parameters, A_i = Rot_z(q_i) Trans(a_i, 0, d_i) Rot_x(alpha_i); lengths of the robotics toolbox
+(Corke and Armstrong-Helouvry 1994, as in its model Puma560). The base frame has its z axis up and its origin at the
+shoulder; the last three axes meet in the origin of frame 6.
+
+Joint limits are those that the toolbox's comments give. Its numbers, symmetric about 0 (joints 2, 3, 4: 110, 135, 266 deg),
+do not fit its own zero: they exclude its nominal pose, where joint 3 is at 180 deg.
 """
 
 from __future__ import annotations
@@ -21,15 +24,17 @@ D = np.array([0.0, 0.0, 0.15005, 0.4318, 0.0, 0.0])
 """Link offsets (m)."""
 ALPHA = np.radians([90.0, 0.0, -90.0, 90.0, -90.0, 0.0])
 """Link twists (rad)."""
-LIMITS = np.radians([160.0, 110.0, 135.0, 266.0, 100.0, 266.0])
-"""Each joint turns between minus and plus this (rad)."""
+LOWER = np.radians([-160.0, -45.0, -225.0, -110.0, -100.0, -266.0])
+UPPER = np.radians([160.0, 225.0, 45.0, 170.0, 100.0, 266.0])
+"""Limits of the joints (rad)."""
 STRAIGHT_WRIST = 1e-9
 """Sine of joint 5 below which joints 4 and 6 turn about one axis; joint 4 is then put to 0."""
 
 
 @dataclass(frozen=True)
 class Branches:
-    """Joint angles (…, 8, 6) in (-pi, pi], and which of them exist and lie within the limits (…, 8).
+    """Joint angles (…, 8, 6) in (-pi, pi] or, where that lies outside the limits, a turn off; and which of the
+    eight exist and lie within the limits (…, 8).
 
     Order: shoulder (2), elbow (2), wrist (2), the last varying fastest.
     """
@@ -98,8 +103,13 @@ def inverse(pose: Floats) -> Branches:
     wrists = _wrist(arms, pose[..., None, None, :3, :3])
     whole = np.concatenate([np.broadcast_to(arms[..., None, :], wrists.shape), wrists], axis=-1)
     joints = np.pi - np.mod(np.pi - whole.reshape(*place.shape[:-1], 8, 6), 2.0 * np.pi)
+    joints = joints + 2.0 * np.pi * ((joints < LOWER) * 1.0 - (joints > UPPER))
     reached = np.broadcast_to(exists[..., None], wrists.shape[:-1]).reshape(*place.shape[:-1], 8)
-    return Branches(joints, reached & (np.abs(joints) <= LIMITS).all(axis=-1))
+    return Branches(joints, reached & _within(joints).all(axis=-1))
+
+
+def _within(joints: Floats) -> Bools:
+    return (joints >= LOWER) & (joints <= UPPER)
 
 
 def _wrist(arms: Floats, turn: Floats) -> Floats:
@@ -128,7 +138,7 @@ def nearest(pose: Floats, joints: Floats) -> Floats | None:
         return None
     candidates = found.joints[found.allowed]
     turns = 2.0 * np.pi * np.round((joints - candidates) / (2.0 * np.pi))
-    turned = np.where(np.abs(candidates + turns) <= LIMITS, candidates + turns, candidates)
+    turned = np.where(_within(candidates + turns), candidates + turns, candidates)
     best: Floats = turned[np.abs(turned - joints).max(axis=-1).argmin()]
     return best
 
