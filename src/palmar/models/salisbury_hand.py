@@ -30,8 +30,9 @@ class Curl:
 
     def joints(self, curls: Floats) -> Floats:
         """Joint angles (…, 3) of curls (…) in rad."""
-        curls = np.asarray(curls, float)
-        return np.stack([np.zeros_like(curls), curls, self.bend + self.ratio * curls], axis=-1)
+        angles = np.asarray(curls, float)[..., None] * (0.0, 1.0, self.ratio)
+        angles[..., 2] += self.bend
+        return angles
 
 
 TIP_PREHENSION = Curl(bend=0.60, ratio=0.30)

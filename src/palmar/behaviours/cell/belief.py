@@ -7,6 +7,7 @@ down beside it says that it is not. The next approach goes to the middle of what
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +25,7 @@ class Belief:
 
     places: Floats
 
-    @property
+    @cached_property
     def middle(self) -> Floats:
         """Centre of the least enclosing circle (m), by Badoiu and Clarkson's iteration: off by less than 2 %."""
         centre = self.places.mean(axis=0)

@@ -6,6 +6,8 @@ internal tension; it is chosen so that the slackest tendon has the pretension.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,6 +21,7 @@ def joint_torques(hand: SalisburyHand, tensions: Floats) -> Floats:
     return np.asarray(tensions, float) @ hand.tendon_matrix.T
 
 
+@lru_cache
 def internal(hand: SalisburyHand) -> Floats:
     """Tensions (4,) that make no torque: (R2/R1, 1, 1, R2/R1), all positive."""
     share = hand.radii[1] / hand.radii[0]
@@ -31,15 +34,17 @@ def tensions(hand: SalisburyHand, torques: Floats) -> Floats:
     T2 - T3 = tau3 / R2, T1 - T4 = (tau2 - tau3) / R3, R2 (T2 + T3) - R1 (T1 + T4) = tau1; then as much of the internal
     tension as the slackest tendon needs.
     """
-    torques = np.asarray(torques, float)
-    one, two, three = hand.radii
-    inner, outer = torques[..., 2] / two, (torques[..., 1] - torques[..., 2]) / three
-    both = 0.5 * torques[..., 0] / two
-    some = np.stack([0.5 * outer, both + 0.5 * inner, both - 0.5 * inner, -0.5 * outer], axis=-1)
-    none = internal(hand)
+    some, none = np.asarray(torques, float) @ _differences(hand), internal(hand)
     needed = ((hand.tension_least - some) / none).max(axis=-1, keepdims=True)
     whole: Floats = some + needed * none
     return whole
+
+
+@lru_cache
+def _differences(hand: SalisburyHand) -> Floats:
+    """(3, 4): torques times this are tensions of either sign that make them."""
+    two, three = 0.5 / hand.radii[1], 0.5 / hand.radii[2]
+    return np.array([[0.0, two, two, 0.0], [three, 0.0, 0.0, -three], [-three, two, -two, three]])
 
 
 def tip_in_hand(hand: SalisburyHand, finger: int, joints: Floats) -> Floats:

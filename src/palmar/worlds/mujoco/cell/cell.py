@@ -66,7 +66,7 @@ class Cell:
         self.wanted = curl.joints(np.array(self.reflex.set_points))
         self.camera = PoseCamera(self.settings.camera, self._axis, self.random, self.settings.fault)
         self.stopped: str | None = None
-        self.touched, self.palm, self.palm_now = [False] * 3, [False] * 2, (False, False)
+        self.touched, self.palm = [False] * 3, [False] * 2
 
     def _place(self) -> None:
         joints = nearest(self.pose @ self.unmount, ELBOW_UP)
@@ -152,23 +152,21 @@ class Cell:
         weight = self.data.qfrc_bias[FINGERS].reshape(3, 3)
         sense.feel(self.readings, self.data.qvel[FINGERS].reshape(3, 3), weight)
         touched, press = sense.touched, sense.press
-        bits = self.data.sensordata[:2] > self.settings.palm_force
-        fault = self.settings.fault
+        one, other = self.data.sensordata.tolist()
+        palm, fault = (one > self.settings.palm_force, other > self.settings.palm_force), self.settings.fault
         if fault.now(FaultKind.PALM_STUCK_ON, now):
-            bits = np.array([True, True])
+            palm = True, True
         elif fault.now(FaultKind.PALM_STUCK_OFF, now):
-            bits = np.array([False, False])
-        palm = bool(bits[0]), bool(bits[1])
-        self.palm_now = palm
+            palm = False, False
         self.touched = [a or b for a, b in zip(self.touched, touched, strict=True)]
         self.palm = [a or b for a, b in zip(self.palm, palm, strict=True)]
         most = 0.98 * self.hand.tension_most
         return HandFelt(
             now,
             touched,
-            (float(press[0]), float(press[1]), float(press[2])),
+            press,
             palm,
-            bool((sense.mean > most).any()),
+            bool(sense.mean.max() > most),
             sense.dead,
         )
 

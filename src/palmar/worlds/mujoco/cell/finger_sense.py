@@ -33,17 +33,15 @@ class FingerSense:
     sum: Floats = field(default_factory=lambda: np.zeros((3, 3)))
     torque: Floats = field(default_factory=lambda: np.zeros((3, 3)))
     mean: Floats = field(init=False)
+    threshold: float = field(init=False)
+    """Of a touch (N m)."""
 
     def __post_init__(self) -> None:
         self.inertia = np.array(self.hand.joint_inertias) + np.array([1e-4, 3e-4, 4e-5])
         self.law = self.hand.tendon_matrix.T.copy()
         self.mean = np.full((3, 4), self.hand.tension_least)
-
-    @property
-    def threshold(self) -> float:
-        """Of a touch (N m)."""
         spread = self.noise * float(np.linalg.norm(self.hand.tendon_matrix[1])) * (0.5 * GAIN * self.tick) ** 0.5
-        return max(LEAST_THRESHOLD, SIGMAS * spread)
+        self.threshold = max(LEAST_THRESHOLD, SIGMAS * spread)
 
     def feel(self, readings: Floats, rates: Floats, weight: Floats) -> None:
         """One tick: readings (3, 4) in N, joint rates (3, 3), torques (3, 3) in N m that carry the finger's weight."""
@@ -52,18 +50,18 @@ class FingerSense:
         self.mean += self.tick / SLACK_TIME * (readings - self.mean)
 
     @property
-    def press(self) -> Floats:
-        """How hard (N m) each finger is pushed outward at joint 2 (3,)."""
-        push: Floats = -self.torque[:, 1]
-        return push
+    def press(self) -> tuple[float, float, float]:
+        """How hard (N m) each finger is pushed outward at joint 2."""
+        one, two, three = (-self.torque[:, 1]).tolist()
+        return one, two, three
 
     @property
     def touched(self) -> tuple[bool, bool, bool]:
         """Which fingers feel something, in any direction of their plane."""
-        hit = (np.abs(self.torque[:, 1:]) > np.array([self.threshold, self.threshold])).any(axis=1)
-        return bool(hit[0]), bool(hit[1]), bool(hit[2])
+        one, two, three = (max(abs(middle), abs(outer)) > self.threshold for _, middle, outer in self.torque.tolist())
+        return one, two, three
 
     @property
     def dead(self) -> bool:
         """Whether a tendon reads slack."""
-        return bool((self.mean < SLACK * self.hand.tension_least).any())
+        return bool(self.mean.min() < SLACK * self.hand.tension_least)

@@ -16,6 +16,8 @@ STEP = 1e-3
 """Physics step and servo tick (s)."""
 THREAD, BAR = 0.50, 0.40
 """Length (m) of the thread; half length of the bar."""
+PADDING = 0.015
+"""Time (s) in which the palm's rubber gives way: it softens what the moving arm does to a standing cylinder."""
 OBJECT, TABLE, HAND = 1, 2, 4
 """Collision bits."""
 
@@ -48,7 +50,7 @@ def _classes(task: CellTask) -> str:
     <default class="arm"><geom {touch} rgba="0.55 0.60 0.68 1"/></default>
     <default class="hand"><geom {touch} rgba="0.30 0.32 0.36 1"/></default>
     <default class="tip"><geom {touch} rgba="0.90 0.62 0.0 1"/></default>
-    <default class="palm"><geom {touch} rgba="0.0 0.45 0.70 1"/></default>"""
+    <default class="palm"><geom {touch.replace("0.004 1", f"{PADDING} 1")} rgba="0.0 0.45 0.70 1"/></default>"""
 
 
 def _table() -> str:
