@@ -76,7 +76,9 @@ class SalisburyHand:
             raise InputError("hand", None, "lengths, radii, masses and inertias must be positive")
         if not 0.0 < self.tension_least < self.tension_most:
             raise InputError(
-                "hand", f"tensions {self.tension_least:g} to {self.tension_most:g} N", "must be positive and in this order"
+                "hand",
+                f"tensions {self.tension_least:g} to {self.tension_most:g} N",
+                "must be positive and in this order",
             )
 
     @property

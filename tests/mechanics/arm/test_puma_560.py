@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from palmar.mechanics.arm.puma_560 import D, LOWER, UPPER, forward, inverse, jacobian, nearest, reachable
+from palmar.mechanics.arm.puma_560 import LOWER, UPPER, D, forward, inverse, jacobian, nearest, reachable
 
 RANDOM = np.random.default_rng(5)
 JOINTS = RANDOM.uniform(LOWER, UPPER, (10_000, 6))

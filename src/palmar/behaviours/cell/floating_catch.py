@@ -6,7 +6,7 @@ fingers while the arm still moves; the arm stops when the fingers have arrived, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
@@ -46,7 +46,7 @@ class Catching:
     phase: Phase
     since: float
     path: ArmPath
-    seen: Seen = Seen()
+    seen: Seen = field(default_factory=Seen)
     rest: tuple[float, float] = (0.0, 0.0)
     gripped_at: tuple[float, float, float] | None = None
     away: tuple[float, float, float] = (0.0, 0.0, 0.0)

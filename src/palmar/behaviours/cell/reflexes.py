@@ -13,6 +13,10 @@ from palmar.models.cell_messages import HandFelt, HandMode, HandOrder, Owner
 
 BACK_OFF = 1.0
 """Rate (rad/s) at which an overloaded finger opens."""
+GENTLE, FELT = 0.25, 0.3
+"""A finger that presses with this share of the grip torque closes on at that share of its rate."""
+ENOUGH, DWELL = 0.9, 0.03
+"""A grip: every finger presses with this share of the grip torque for so long (s), longer than any impact."""
 FULL, ARRIVED = 1.35, 1e-3
 """Curl (rad) beyond which no finger closes; how near (rad) a target counts as reached."""
 
@@ -26,6 +30,8 @@ class ReflexState:
     gripped: bool = False
     owner: Owner = Owner.BEHAVIOUR
     at_end: bool = False
+    pressing: float = 0.0
+    """How long (s) every finger has pressed with the grip torque."""
 
 
 def reflex_step(state: ReflexState, felt: HandFelt, order: HandOrder, stopped: bool, tick: float) -> ReflexState:
@@ -35,7 +41,10 @@ def reflex_step(state: ReflexState, felt: HandFelt, order: HandOrder, stopped: b
     if stopped or felt.dead:
         return replace(state, owner=Owner.SAFE_STOP if stopped else Owner.SENSOR_FAULT)
     if felt.overload:
-        opened = [c - BACK_OFF * tick if press > order.grip else c for c, press in zip(state.set_points, felt.press, strict=True)]
+        opened = [
+            c - BACK_OFF * tick if press > order.grip else c
+            for c, press in zip(state.set_points, felt.press, strict=True)
+        ]
         return replace(state, owner=Owner.OVERLOAD, set_points=(opened[0], opened[1], opened[2]))
     if state.gripped:
         return state if state.owner is Owner.GRIP else replace(state, owner=Owner.GRIP)
@@ -49,15 +58,23 @@ def reflex_step(state: ReflexState, felt: HandFelt, order: HandOrder, stopped: b
 
 
 def _close(state: ReflexState, felt: HandFelt, order: HandOrder, tick: float) -> ReflexState:
-    points = [
-        c if press >= order.grip else min(c + order.rate * tick, FULL)
-        for c, press in zip(state.set_points, felt.press, strict=True)
-    ]
-    pressing = [press >= order.grip for press in felt.press]
-    ended = all(full or c >= FULL for full, c in zip(pressing, points, strict=True))
+    points = [_further(c, press, order, tick) for c, press in zip(state.set_points, felt.press, strict=True)]
+    hard = [press >= ENOUGH * order.grip for press in felt.press]
+    pressing = state.pressing + tick if all(hard) else 0.0
+    ended = all(c >= FULL for c in points)
     return replace(
-        state, set_points=(points[0], points[1], points[2]), gripped=all(pressing), at_end=ended
+        state,
+        set_points=(points[0], points[1], points[2]),
+        gripped=pressing >= DWELL,
+        at_end=ended,
+        pressing=pressing,
     )
+
+
+def _further(curl: float, press: float, order: HandOrder, tick: float) -> float:
+    if press >= order.grip:
+        return curl
+    return min(curl + order.rate * tick * (GENTLE if press > FELT * order.grip else 1.0), FULL)
 
 
 def _toward(value: float, goal: float, most: float) -> float:

@@ -6,7 +6,7 @@ touched first: the tips say where the axis may be (``belief``), the arm rises, m
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
@@ -51,7 +51,7 @@ class Picking:
     phase: Phase
     since: float
     path: ArmPath
-    seen: Seen = Seen()
+    seen: Seen = field(default_factory=Seen)
     belief: Belief | None = None
     approaches: int = 0
     gripped_at: tuple[float, float, float] | None = None
@@ -140,7 +140,9 @@ class TablePick:
 
     def _descend(self, state: Picking, seen: CellSeen) -> Picking:
         if any(seen.palm):
-            return replace(state, phase=Phase.CLOSE, since=seen.time, path=halt(state.path), contact=state.path.place[2])
+            return replace(
+                state, phase=Phase.CLOSE, since=seen.time, path=halt(state.path), contact=state.path.place[2]
+            )
         if any(seen.touched):
             return self._felt_fingers(state, seen)
         waiting = self._wait_for_sight(state, seen)

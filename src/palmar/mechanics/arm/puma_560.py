@@ -125,9 +125,7 @@ def _wrist(arms: Floats, turn: Floats) -> Floats:
         fifth = np.arctan2(sign * sine, rest[..., 2, 2])
         sixth = np.arctan2(-sign * rest[..., 2, 1], sign * rest[..., 2, 0])
         alone = np.arctan2(rest[..., 1, 0], rest[..., 0, 0])
-        wrists.append(
-            np.stack([np.where(straight, 0.0, fourth), fifth, np.where(straight, alone, sixth)], axis=-1)
-        )
+        wrists.append(np.stack([np.where(straight, 0.0, fourth), fifth, np.where(straight, alone, sixth)], axis=-1))
     return np.stack(wrists, axis=-2)
 
 

@@ -16,7 +16,7 @@ FAR, HELD, DRIFT = 0.095, 2.0, 0.010
 """Success: carried so far (m) for so long (s) without moving so much (m) in the hand."""
 TOPPLED = 0.5
 """Tilt (rad)."""
-TABLE_FORCE, OBJECT_FORCE, FASTEST, CREEP = 60.0, 150.0, 0.8, 0.01
+TABLE_FORCE, OBJECT_FORCE, FASTEST, CREEP = 60.0, 250.0, 0.8, 0.01
 """Unsafe above: force (N) on the table, on the object; speed (m/s) of the palm; speed (m/s) at the end."""
 
 
@@ -78,9 +78,7 @@ class Judge:
     def speed(self) -> float:
         """Of the palm (m/s)."""
         velocity = np.zeros(6)
-        mujoco.mj_objectVelocity(
-            self.cell.model, self.cell.data, mujoco.mjtObj.mjOBJ_BODY, self.palm, velocity, 0
-        )
+        mujoco.mj_objectVelocity(self.cell.model, self.cell.data, mujoco.mjtObj.mjOBJ_BODY, self.palm, velocity, 0)
         return float(np.linalg.norm(velocity[3:]))
 
     @property

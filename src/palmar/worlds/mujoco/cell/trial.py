@@ -156,5 +156,3 @@ def _why(judge: Judge, end: CellEnd | None) -> str:
     if end is CellEnd.OUT_OF_APPROACHES:
         return "out of approaches"
     return "missed"
-
-
