@@ -64,7 +64,10 @@ def after_touch(belief: Belief, tips: Floats, touched: tuple[bool, ...], radius:
 
 def _agrees(places: Floats, tips: Floats, touched: tuple[bool, ...], reach: float) -> NDArray[np.bool_]:
     apart = np.linalg.norm(places[:, None] - tips, axis=-1)
-    return np.where(np.array(touched), apart <= reach + SLACK, apart >= reach - 2.0 * tip_margin(reach)).all(axis=1)
+    agrees: NDArray[np.bool_] = np.where(
+        np.array(touched), apart <= reach + SLACK, apart >= reach - 2.0 * tip_margin(reach)
+    ).all(axis=1)
+    return agrees
 
 
 def tip_margin(reach: float) -> float:

@@ -91,7 +91,8 @@ class FloatingCatch:
         """Where (m) the palm is ``distance`` (m) before the axis, the axis across the middle of the palm."""
         turn = state.path.pose[:3, :3]
         axis = np.array([*state.rest, self.height])
-        return axis - turn @ np.array([0.0, self.hand.grasp_line, distance])
+        place: Floats = axis - turn @ np.array([0.0, self.hand.grasp_line, distance])
+        return place
 
     def _blind(self, state: Catching, seen: CellSeen) -> Catching | None:
         if state.seen.fresh(seen.time):

@@ -8,17 +8,18 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import App, Parameter
 
-from palmar.errors import InputError, NotCoveredError
+from palmar.errors import InputError
 from palmar.faces.cell_record import cell_record
 from palmar.faces.cli.behaviour_options import within
+from palmar.faces.cli.cell_film import film, known_ending
 from palmar.faces.cli.pool import counting, processes
-from palmar.faces.cli.printing import AsJson, Check, answer, progress, show
+from palmar.faces.cli.printing import AsJson, Check, answer, show
 from palmar.faces.cli.texts import table
 from palmar.models.cell_task import TaskKind
 from palmar.worlds.cell.faults import FaultKind
 
 if TYPE_CHECKING:
-    from palmar.studies.cell_trials import CellReport, Trials
+    from palmar.studies.cell_trials import CellReport
 
 app = App(name="cell")
 MOST_TRIALS = 100_000
@@ -52,6 +53,7 @@ def run(
 
     if not 1 <= trials <= MOST_TRIALS:
         raise InputError("--trials", str(trials), f"must be 1 to {MOST_TRIALS}")
+    known_ending(view)
     if seed < 0:
         raise InputError("--seed", str(seed), "must not be negative")
     asked = Trials(
@@ -65,7 +67,7 @@ def run(
         radians(within("--turn-deg", turn_deg, -30.0, 30.0)),
         _fault(fault),
     )
-    filmed = None if view is None else _film(view, asked)
+    filmed = None if view is None else film(view, asked)
     with processes(min(trials, 64)) as pool, counting(trials, "trials") as report:
         found = run_trials(asked, pool if trials > 1 else None, report)
     show(_text(found, filmed), cell_record(found) | ({} if filmed is None else {"view": filmed}), json)
@@ -88,33 +90,8 @@ def _fault(name: str) -> FaultKind:
         ) from None
 
 
-def _film(path: Path, asked: Trials) -> str:
-    """Film the first trial; a line about it, also where nothing can be rendered."""
-    from palmar.faces.plots.gif import write_gif
-    from palmar.faces.plots.mp4 import write_mp4
-    from palmar.models.salisbury_hand import SalisburyHand
-    from palmar.worlds.mujoco.cell.film import EVERY, Film
-    from palmar.worlds.mujoco.cell.trial import run_trial
-
-    if path.suffix.lower() not in (".gif", ".mp4"):
-        raise InputError("--view", str(path), "the name must end in .gif or .mp4")
-    film = Film()
-    try:
-        run_trial(SalisburyHand(), asked.task, asked.settings(0), asked.error, film)
-    except NotCoveredError as error:
-        progress(str(error))
-        return str(error)
-    finally:
-        film.close()
-    if path.suffix.lower() == ".gif":
-        write_gif(path, film.pictures, 28 * EVERY, 1500)
-    else:
-        write_mp4(path, film.pictures, 1.0 / (0.028 * EVERY))
-    return f"the first trial, filmed: {path}"
-
-
 def _text(report: CellReport, filmed: str | None) -> str:
-    asked = report.trials
+    asked, simulated = report.trials, sum(each.seconds for each in report.results)
     rows = [
         ("succeeded", f"{report.success} of {asked.number}"),
         *((f"  failed: {reason}", str(count)) for reason, count in report.failures.items()),

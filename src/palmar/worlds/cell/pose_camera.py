@@ -44,7 +44,7 @@ class PoseCamera:
     settings: CameraSettings
     where: Callable[[], tuple[float, float, float]]
     random: np.random.Generator
-    fault: Fault = Fault()
+    fault: Fault = field(default_factory=Fault)
     due: float = 0.0
     under_way: deque[tuple[float, Sighting]] = field(default_factory=deque)
     latest: Sighting | None = None

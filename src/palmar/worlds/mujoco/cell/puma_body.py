@@ -43,7 +43,8 @@ def puma_body(inner: str) -> str:
         frame = f'pos="{A[i]} 0 {D[i]}" euler="{ALPHA[i]:.17g} 0 0"'
         place = "" if i == 0 else f'pos="{A[i - 1]} 0 {D[i - 1]}" euler="{ALPHA[i - 1]:.17g} 0 0"'
         if i == 5:
-            text = f'<body name="flange" {frame}><inertial pos="0 0 0" mass="1e-6" diaginertia="1e-9 1e-9 1e-9"/>{text}</body>'
+            nothing = '<inertial pos="0 0 0" mass="1e-6" diaginertia="1e-9 1e-9 1e-9"/>'
+            text = f'<body name="flange" {frame}>{nothing}{text}</body>'
         text = f"""<body name="link_{i + 1}" {place}>
         <joint name="arm_{i + 1}" axis="0 0 1" range="{LOWER[i]} {UPPER[i]}" armature="{MOTORS[i]}"/>
         {_inertial(i)}{_shape(i)}{text}</body>"""

@@ -72,7 +72,8 @@ def _bar(task: CellTask) -> str:
     weight = task.cylinder.mass
     return f"""<geom type="capsule" fromto="{x} {y + BAR} {end} {x} {y + BAR} {end + 0.25}" size="0.003" class="seen"
     rgba="0.4 0.4 0.4 1"/><body name="bar" pos="{x} {y + BAR} {end}">
-    <joint name="bar_turn" axis="0 0 1" damping="0.002"/><joint name="bar_tilt" axis="1 0 0" range="-0.6 0.6" damping="0.004"/>
+    <joint name="bar_turn" axis="0 0 1" damping="0.002"/>
+    <joint name="bar_tilt" axis="1 0 0" range="-0.6 0.6" damping="0.004"/>
     <geom type="capsule" fromto="0 {-BAR} 0 0 {BAR} 0" size="0.006" mass="0.1" class="seen" rgba="0.5 0.4 0.3 1"/>
     <geom type="sphere" pos="0 {BAR} -0.02" size="0.03" mass="{weight}" class="seen" rgba="0.2 0.2 0.2 1"/>
     <site name="thread_high" pos="0 {-BAR} 0" size="0.003"/></body>"""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from palmar.errors import InputError
 from palmar.worlds.cell.faults import Fault
@@ -29,12 +29,12 @@ class CellSettings:
     seed: int = 0
     offset: tuple[float, float] = (0.0, 0.0)
     sway: tuple[float, float] = (0.0, 0.0)
-    camera: CameraSettings = CameraSettings()
+    camera: CameraSettings = field(default_factory=CameraSettings)
     tension_noise: float = 2.0
     palm_force: float = 0.3
     turn: float = 0.0
     reply: float = 0.003
-    fault: Fault = Fault()
+    fault: Fault = field(default_factory=Fault)
 
     def __post_init__(self) -> None:
         if self.tension_noise < 0.0 or self.palm_force <= 0.0 or self.reply < 0.0:

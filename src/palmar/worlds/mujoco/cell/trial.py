@@ -148,7 +148,7 @@ def _why(judge: Judge, end: CellEnd | None) -> str:
     if end is None:
         return "timeout"
     if end in (CellEnd.STOPPED, CellEnd.NO_FRESH_SIGHTING, CellEnd.SENSOR_FAULT, CellEnd.OUT_OF_REACH):
-        return end.value
+        return str(end.value)
     if judge.cell.task.kind is TaskKind.TABLE and judge.tilt > TOPPLED and judge.raised < 0.02:
         return "toppled"
     if end in (CellEnd.LOST_GRIP, CellEnd.HOLDS):
