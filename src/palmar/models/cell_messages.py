@@ -88,8 +88,8 @@ class CellSeen:
     """To a behaviour, at each set-point of the arm: what the cell's sensors say.
 
     ``palm_pose`` (4, 4): of the hand frame, from the arm's joint angles; ``curls`` (rad) measured; ``touched``,
-    ``palm``: now or at any tick since the last step; ``gripped``: all fingers press with the grip torque; ``at_end``: the fingers can
-    move no further; ``owner``: of the hand; ``stopped``: the arm's link was interrupted or the hand failed.
+    ``palm``: now or at any tick since the last step; ``gripped``: all fingers press with the grip torque; ``at_end``: the
+    fingers can move no further; ``owner``: of the hand; ``stopped``: the arm's link was interrupted or the hand failed.
     """
 
     time: float

@@ -99,10 +99,7 @@ def _text(report: CellReport, filmed: str | None) -> str:
         ("unsafe", str(report.unsafe)),
         *((f"  {what}", str(count)) for what, count in _unsafe(report).items()),
         ("late replies to the arm", str(sum(each.missed for each in report.results))),
-        (
-            "simulated",
-            f"{sum(each.seconds for each in report.results):.0f} s, {report.real_time_factor:.1f} times real time",
-        ),
+        ("simulated", f"{simulated:.0f} s, {report.real_time_factor:.1f} times real time in each process"),
     ]
     head = f"{asked.kind.value}: {asked.number} trials, seed {asked.seed}, simulated-pose camera"
     return "\n".join([head, "", table(rows), *([] if filmed is None else ["", filmed])])

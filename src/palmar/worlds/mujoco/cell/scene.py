@@ -28,15 +28,17 @@ def cell_xml(hand: SalisburyHand, task: CellTask) -> str:
     motors = "".join(
         f'<motor name="arm_{i + 1}" joint="arm_{i + 1}" ctrlrange="{-most} {most}"/>' for i, most in enumerate(TORQUES)
     ) + "".join(f'<motor name="finger_{k}_{j}" joint="finger_{k}_{j}"/>' for k in range(3) for j in (1, 2, 3))
-    x, y, _ = task.place
+    x, y, z = task.place
     return f"""<mujoco model="cell"><compiler angle="radian" autolimits="true" eulerseq="XYZ"/>
     <option timestep="{STEP}" cone="elliptic" impratio="20" integrator="implicitfast"><flag multiccd="enable"/></option>
     <visual><global offwidth="960" offheight="720"/><headlight ambient="0.35 0.35 0.35" diffuse="0.45 0.45 0.45"/></visual>
     <default>{_classes(task)}</default>
-    <worldbody><light pos="0.6 -1.2 2" dir="-0.1 0.6 -1" diffuse="0.5 0.5 0.5"/>
+    <asset><texture type="skybox" builtin="flat" rgb1="0.97 0.97 0.97" width="8" height="8"/></asset>
+    <worldbody><light pos="0.6 -1.2 2" dir="-0.1 0.6 -1" diffuse="0.4 0.4 0.4" castshadow="false"/>
     <geom name="floor" type="plane" pos="0 0 -0.6718" size="2 2 0.1" class="seen" rgba="0.86 0.87 0.88 1"/>
     {"" if floating else _table()}{puma_body(hand_body(hand))}{_cylinder(task)}{_bar(task) if floating else ""}
-    <camera name="film" pos="{x + 0.75} {y - 1.05} {0.45 if floating else 0.30}" xyaxes="0.80 0.60 0 -0.18 0.24 0.95"/>
+    <camera name="film" pos="{x + 0.66} {y - 1.05} {z + (0.35 if floating else 0.45)}" fovy="{34 if floating else 30}"
+    xyaxes="0.80 0.60 0 -0.17 0.23 0.96"/>
     </worldbody>{_thread() if floating else ""}<actuator>{motors}</actuator>
     <sensor><touch site="pad_0"/><touch site="pad_1"/></sensor></mujoco>"""
 
