@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 ACROSS = 61
 """Grid points across the set at the start."""
+UNFELT = 0.2
+"""Share of that distance by which an untouched tip may be nearer: one on the very rim slides off unfelt."""
 SLACK = 0.003
 """How far (m) a touch may be off what the geometry says: the arm's error and what the touch moved."""
 
@@ -64,12 +66,5 @@ def after_touch(belief: Belief, tips: Floats, touched: tuple[bool, ...], radius:
 
 def _agrees(places: Floats, tips: Floats, touched: tuple[bool, ...], reach: float) -> NDArray[np.bool_]:
     apart = np.linalg.norm(places[:, None] - tips, axis=-1)
-    agrees: NDArray[np.bool_] = np.where(
-        np.array(touched), apart <= reach + SLACK, apart >= reach - 2.0 * tip_margin(reach)
-    ).all(axis=1)
-    return agrees
-
-
-def tip_margin(reach: float) -> float:
-    """Depth (m) to which an untouched tip may overlap: a tip on the very rim slides off unfelt."""
-    return 0.1 * reach
+    agrees = np.where(np.array(touched), apart <= reach + SLACK, apart >= (1.0 - UNFELT) * reach)
+    return np.asarray(agrees.all(axis=1))

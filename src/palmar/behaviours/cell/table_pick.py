@@ -1,7 +1,9 @@
 """Task A (section 7.3.1): pick up a cylinder that stands on a table, from above along its axis, with three fingertips.
 
-Vision says where the axis is, up to an error; the arm lowers the open hand there. The palm touched: close. A finger or two
-touched first: the tips say where the axis may be (``belief``), the arm rises, moves there and lowers the hand again.
+Vision says where the axis is, up to an error; the arm lowers the open hand there. The palm touched: close. Fingers touched
+first: the tips say where the axis may be (``belief``), the arm rises, moves there and lowers the hand again. When two
+fingers touch long before the third, or the grip is off the palm's middle, the tips say where the axis is: the hand opens,
+the arm moves there, and it closes again.
 """
 
 from __future__ import annotations
@@ -28,6 +30,10 @@ CLEARANCE, BACK_OFF, PAST_TOP = 0.025, 0.002, 0.0015
 """Of the tips over the top; how far the palm draws back to close; how far below the top it feels for it (m)."""
 LIFT, HOLD = 0.115, 2.3
 """How far (m) and how long (s)."""
+CAUGHT = 0.015
+"""What was within so much (m) of the palm's middle when the hand closed on nothing would have been caught."""
+ALONE, OFF = 0.12, 0.005
+"""So long (s) two fingers touch without the third before the arm moves, if that is further than this (m)."""
 GIVEN_WAY = 0.05
 """Curl (rad) by which fingers have closed further when what they held is gone."""
 
@@ -40,13 +46,18 @@ class Phase(Enum):
     DESCEND = "lower the open hand"
     RETREAT = "rise from what the fingers touched"
     CLOSE = "close"
+    CENTRE = "move where two fingers felt it"
     LIFT = "lift"
     HOLD = "hold"
 
 
 @dataclass(frozen=True)
 class Picking:
-    """State: phase and when it began (s), the arm's set-point, sightings, belief, approaches so far, curls at the grip."""
+    """State: phase and when it began (s), the arm's set-point, sightings, belief, approaches so far, curls at the grip.
+
+    ``contact``: height (m) at which the palm touched; ``pair``: since when (s) two fingers touch without the third;
+    ``centre``: where (m) they say the axis is.
+    """
 
     phase: Phase
     since: float
@@ -56,6 +67,8 @@ class Picking:
     approaches: int = 0
     gripped_at: tuple[float, float, float] | None = None
     contact: float = 0.0
+    pair: float | None = None
+    centre: tuple[float, float] = (0.0, 0.0)
     end: CellEnd | None = None
 
 
@@ -88,7 +101,10 @@ class TablePick:
     @property
     def tips(self) -> Floats:
         """Of the open hand (3, 3) in the hand frame."""
-        joints = TIP_PREHENSION.joints(np.full(3, self.hand.open_curl))
+        return self._tips((self.hand.open_curl,) * 3)
+
+    def _tips(self, curls: tuple[float, float, float]) -> Floats:
+        joints = TIP_PREHENSION.joints(np.array(curls))
         return np.stack([tip_in_hand(self.hand, k, joints[k]) for k in range(3)])
 
     @property
@@ -171,9 +187,52 @@ class TablePick:
         goal = np.array([*state.path.place[:2], state.contact + BACK_OFF])
         state = replace(state, path=toward(state.path, goal, self.slow))
         if seen.gripped:
-            return replace(state, phase=Phase.LIFT, since=seen.time, gripped_at=seen.curls)
-        late = seen.time - state.since > 3.0 * PATIENCE
-        return replace(state, end=CellEnd.NOTHING_GRIPPED) if seen.at_end or late else state
+            return self._gripped(state, seen)
+        if seen.at_end or seen.time - state.since > 3.0 * PATIENCE:
+            return self._again(state, seen)
+        return self._felt_pair(state, seen)
+
+    def _gripped(self, state: Picking, seen: CellSeen) -> Picking:
+        """Lift, unless the tips say that the axis is off the palm's middle: then it would tilt out of the grip."""
+        centre = circumcentre(self._tips_now(seen)[:, :2])
+        if state.approaches < self.approaches_most and np.linalg.norm(centre - seen.palm_pose[:2, 3]) > OFF:
+            return self._to_centre(state, seen, centre)
+        return replace(state, phase=Phase.LIFT, since=seen.time, gripped_at=seen.curls)
+
+    def _to_centre(self, state: Picking, seen: CellSeen, centre: Floats) -> Picking:
+        place, more = (float(centre[0]), float(centre[1])), state.approaches + 1
+        return replace(state, phase=Phase.CENTRE, since=seen.time, pair=None, centre=place, approaches=more)
+
+    def _tips_now(self, seen: CellSeen) -> Floats:
+        tips: Floats = (seen.palm_pose[:3, :3] @ self._tips(seen.curls).T).T + seen.palm_pose[:3, 3]
+        return tips
+
+    def _again(self, state: Picking, seen: CellSeen) -> Picking:
+        """Closed on nothing: it is not where the hand would have caught it."""
+        assert state.belief is not None
+        if state.approaches >= self.approaches_most or not state.seen.fresh(seen.time):
+            return replace(state, end=CellEnd.NOTHING_GRIPPED)
+        places = around(state.seen.place, self.error + state.seen.sigma).places
+        left = places[np.linalg.norm(places - state.path.place[:2], axis=1) > CAUGHT]
+        return replace(state, phase=Phase.RETREAT, since=seen.time, belief=Belief(left if len(left) else places))
+
+    def _felt_pair(self, state: Picking, seen: CellSeen) -> Picking:
+        if sum(seen.touched) != 2 or state.approaches >= self.approaches_most:
+            return replace(state, pair=None)
+        pair = seen.time if state.pair is None else state.pair
+        one, two = self._tips_now(seen)[np.array(seen.touched), :2]
+        middle = seen.palm_pose[:2, 3]
+        centre = through(one, two, state.seen.radius + self.hand.tip_radius, middle)
+        if seen.time - pair < ALONE or float(np.linalg.norm(centre - middle)) < OFF:
+            return replace(state, pair=pair)
+        return self._to_centre(state, seen, centre)
+
+    def _centre(self, state: Picking, seen: CellSeen) -> Picking:
+        goal = np.array([*state.centre, state.contact + BACK_OFF])
+        if state.path.there(goal) and seen.at_end:
+            return replace(state, phase=Phase.CLOSE, since=seen.time)
+        opened = max(seen.curls) < 0.5 * self.hand.open_curl
+        return replace(state, path=toward(state.path, goal, self.slow)) if opened else state
 
     def _lift(self, state: Picking, seen: CellSeen) -> Picking:
         goal = np.array([*state.path.place[:2], state.contact + LIFT])
@@ -185,6 +244,24 @@ class TablePick:
         if seen.time - state.since < HOLD:
             return state
         return replace(state, end=CellEnd.LOST_GRIP if lost(state.gripped_at, seen) else CellEnd.HOLDS)
+
+
+def through(one: Floats, two: Floats, radius: float, near: Floats) -> Floats:
+    """Centre (2,) of the circle of a radius (m) through two points (2,), of both the one nearer to a third point."""
+    half = 0.5 * (two - one)
+    length = float(np.linalg.norm(half))
+    side = np.array([-half[1], half[0]]) / length * max(radius**2 - length**2, 0.0) ** 0.5
+    centres = np.stack([one + half + side, one + half - side])
+    nearest: Floats = centres[np.linalg.norm(centres - near, axis=1).argmin()]
+    return nearest
+
+
+def circumcentre(tips: Floats) -> Floats:
+    """Centre (2,) of the circle through three points (3, 2)."""
+    sides = 2.0 * (tips[1:] - tips[0])
+    squares = (tips**2).sum(axis=1)
+    centre: Floats = np.linalg.solve(sides, squares[1:] - squares[0])
+    return centre
 
 
 def lost(gripped_at: tuple[float, float, float] | None, seen: CellSeen) -> bool:
@@ -199,6 +276,7 @@ _STEPS = {
     Phase.DESCEND: TablePick._descend,
     Phase.RETREAT: TablePick._retreat,
     Phase.CLOSE: TablePick._close,
+    Phase.CENTRE: TablePick._centre,
     Phase.LIFT: TablePick._lift,
     Phase.HOLD: TablePick._hold,
 }

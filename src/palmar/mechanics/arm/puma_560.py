@@ -144,5 +144,5 @@ def nearest(pose: Floats, joints: Floats) -> Floats | None:
 def reachable(hand_poses: Floats, hand_in_flange: Floats | None = None) -> Bools:
     """Which hand poses (…, 4, 4) in the base some allowed joint angles reach; ``hand_in_flange`` (4, 4) mounts the hand."""
     mount = np.eye(4) if hand_in_flange is None else hand_in_flange
-    reached: Bools = inverse(np.asarray(hand_poses, float) @ np.linalg.inv(mount)).allowed.any(axis=-1, keepdims=True)
-    return reached[..., 0]
+    reached: Bools = np.asarray(inverse(np.asarray(hand_poses, float) @ np.linalg.inv(mount)).allowed.any(axis=-1))
+    return reached

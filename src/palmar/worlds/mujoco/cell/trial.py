@@ -149,10 +149,10 @@ def _why(judge: Judge, end: CellEnd | None) -> str:
         return "timeout"
     if end in (CellEnd.STOPPED, CellEnd.NO_FRESH_SIGHTING, CellEnd.SENSOR_FAULT, CellEnd.OUT_OF_REACH):
         return str(end.value)
-    if judge.cell.task.kind is TaskKind.TABLE and judge.tilt > TOPPLED and judge.raised < 0.02:
-        return "toppled"
     if end in (CellEnd.LOST_GRIP, CellEnd.HOLDS):
         return "slipped"
+    if judge.cell.task.kind is TaskKind.TABLE and judge.tilt > TOPPLED:
+        return "toppled"
     if end is CellEnd.OUT_OF_APPROACHES:
         return "out of approaches"
     return "missed"
