@@ -71,7 +71,7 @@ class FloatingCatch:
 
     def step(self, state: Catching, seen: CellSeen) -> tuple[Catching, CellOrder]:
         """One request of the arm's controller."""
-        state = replace(state, seen=state.seen.take(seen.sighting))
+        state = replace(state, seen=state.seen.take(seen.sighting, seen.time))
         if seen.stopped is not None:
             state = replace(state, end=state.end or CellEnd.STOPPED)
         if state.end is None:

@@ -21,9 +21,11 @@ class Seen:
     kept: tuple[Sighting, ...] = ()
     same: int = 0
 
-    def take(self, sighting: Sighting | None) -> Seen:
-        """With the sighting that is there now, if it is a new one."""
-        if sighting is None or (self.kept and sighting.stamp_s <= self.kept[-1].stamp_s):
+    def take(self, sighting: Sighting | None, now: float) -> Seen:
+        """With the sighting that is there at time ``now`` (s), if it is a new one and not stale."""
+        if sighting is None or now - sighting.stamp_s > OLDEST:
+            return self
+        if self.kept and sighting.stamp_s <= self.kept[-1].stamp_s:
             return self
         last = self.kept[-1] if self.kept else None
         same = last is not None and (last.x_m, last.y_m, last.radius_m) == (
