@@ -147,15 +147,17 @@ class FloatingCatch:
         return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=tuple(away))
 
     def _carry(self, state: Catching, seen: CellSeen) -> Catching:
+        if lost(state.gripped_at, seen):
+            return replace(state, end=CellEnd.LOST_GRIP)
         goal = np.array(state.away)
         if state.path.there(goal):
             return replace(state, phase=Phase.HOLD, since=seen.time)
         return replace(state, path=toward(state.path, goal, self.fast))
 
     def _hold(self, state: Catching, seen: CellSeen) -> Catching:
-        if seen.time - state.since < HOLD:
-            return state
-        return replace(state, end=CellEnd.LOST_GRIP if lost(state.gripped_at, seen) else CellEnd.HOLDS)
+        if lost(state.gripped_at, seen):
+            return replace(state, end=CellEnd.LOST_GRIP)
+        return state if seen.time - state.since < HOLD else replace(state, end=CellEnd.HOLDS)
 
 
 _STEPS = {

@@ -235,15 +235,17 @@ class TablePick:
         return replace(state, path=toward(state.path, goal, self.slow)) if opened else state
 
     def _lift(self, state: Picking, seen: CellSeen) -> Picking:
+        if lost(state.gripped_at, seen):
+            return replace(state, end=CellEnd.LOST_GRIP)
         goal = np.array([*state.path.place[:2], state.contact + LIFT])
         if state.path.there(goal):
             return replace(state, phase=Phase.HOLD, since=seen.time)
         return replace(state, path=toward(state.path, goal, self.fast))
 
     def _hold(self, state: Picking, seen: CellSeen) -> Picking:
-        if seen.time - state.since < HOLD:
-            return state
-        return replace(state, end=CellEnd.LOST_GRIP if lost(state.gripped_at, seen) else CellEnd.HOLDS)
+        if lost(state.gripped_at, seen):
+            return replace(state, end=CellEnd.LOST_GRIP)
+        return state if seen.time - state.since < HOLD else replace(state, end=CellEnd.HOLDS)
 
 
 def through(one: Floats, two: Floats, radius: float, near: Floats) -> Floats:
