@@ -16,7 +16,7 @@ from palmar.behaviours.cell.reflexes import ReflexState, reflex_step
 from palmar.errors import InputError
 from palmar.mechanics.arm.puma_560 import forward, nearest
 from palmar.mechanics.arm.salisbury_finger import tensions
-from palmar.models.cell_messages import CellSeen, HandFelt, HandMode, HandOrder, Owner
+from palmar.models.cell_messages import CellSeen, Eye, HandFelt, HandMode, HandOrder, Owner, Sighting
 from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, SalisburyHand
 from palmar.worlds.cell.alter_mode import AlterMode
@@ -41,12 +41,13 @@ ELBOW_UP = np.radians([18.0, 71.0, -202.0, 0.0, -49.0, -162.0])
 
 @dataclass
 class Cell:
-    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers."""
+    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers; ``eye``: None, the simulated camera."""
 
     hand: SalisburyHand
     task: CellTask
     settings: CellSettings
     pose: Floats
+    eye: Eye | None = None
     trace: list[tuple[float, Owner]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -66,6 +67,7 @@ class Cell:
         self.wanted = curl.joints(np.array(self.reflex.set_points))
         self.camera = PoseCamera(self.settings.camera, self._axis, self.random, self.settings.fault)
         self.stopped: str | None = None
+        self.sighting: Sighting | None = None
         self.touched, self.palm = [False] * 3, [False] * 2
 
     def _place(self) -> None:
@@ -97,6 +99,7 @@ class Cell:
     def seen(self) -> CellSeen:
         """What a behaviour is told now; touches since the last call are kept until it is."""
         curls = self.data.qpos[FINGERS].reshape(3, 3)[:, 1]
+        self.sighting = (self.eye or self.camera).look(self.time)
         told = CellSeen(
             self.time,
             forward(self.data.qpos[ARM]) @ self.mount,
@@ -107,7 +110,7 @@ class Cell:
             self.reflex.at_end,
             self.reflex.owner,
             self.stopped,
-            self.camera.look(self.time),
+            self.sighting,
         )
         self.touched, self.palm = [False] * 3, [False] * 2
         return told

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from palmar.behaviours.cell.floating_catch import FloatingCatch
 from palmar.behaviours.cell.sightings import OLDEST
 from palmar.behaviours.cell.table_pick import TablePick
-from palmar.models.cell_messages import CellEnd, CellOrder
+from palmar.models.cell_messages import CellEnd, CellOrder, Eye
 from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.mujoco.cell.cell import Cell
@@ -82,10 +82,11 @@ def run_trial(
     settings: CellSettings,
     error: float = 0.0,
     watch: Callable[[Cell], None] | None = None,
+    eye: Eye | None = None,
 ) -> TrialResult:
-    """Carry out one trial; ``watch`` is called at every request of the arm."""
+    """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``: None, the simulated camera."""
     began = perf_counter()
-    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn))
+    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye)
     behaviour, judge = behaviour_for(hand, task, error), Judge(cell)
     state = behaviour.begin(cell.pose, 0.0)
     end: CellEnd | None = None
@@ -112,7 +113,7 @@ def run_trial(
 
 def _check_sight(cell: Cell, judge: Judge, order: CellOrder, before: Floats) -> None:
     """The arm must not move by vision without a fresh sighting."""
-    latest = cell.camera.latest
+    latest = cell.sighting
     moved = float(np.abs(order.palm_pose - before).max()) > 1e-9
     if order.guided and moved and (latest is None or cell.time - latest.stamp_s > OLDEST + 0.028):
         judge.faults.add("moved by a stale sighting")
