@@ -72,9 +72,8 @@ def settings(number: int, seed: int, parts: set[str]) -> list[tuple[str, Trials]
 
 def tell(asked: list[tuple[str, Trials]], pool: Executor) -> int:
     """Run and print each; how many trials were unsafe."""
-    print(
-        "| setting | success | of these in so many approaches | failures | unsafe | most force, N |\n|---|---|---|---|---|---|"
-    )
+    print("| setting | success | of these in so many approaches | failures | unsafe | most force, N |")
+    print("|---|---|---|---|---|---|")
     unsafe = 0
     for name, trials in asked:
         report = run_trials(trials, pool)

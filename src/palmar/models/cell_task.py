@@ -1,4 +1,4 @@
-"""The two tasks of chapter 7 as numbers: a cylinder that stands on a table, and one that floats from a bar."""
+"""The tasks of chapter 7 as numbers: a cylinder on a table, taken from above or from the side, and one that floats."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from palmar.errors import InputError
 
 
 class TaskKind(Enum):
-    """Which task of section 7.3."""
+    """Which task of sections 7.2 and 7.3."""
 
     TABLE = "table"
     FLOATING = "floating"
+    ALIGN = "align"
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,8 @@ class CellTask:
 TABLE_TOP = -0.30
 """Height (m) of the table in the arm's base frame, whose origin is the shoulder."""
 STANDING = Cylinder(radius=0.030, height=0.130, mass=0.30)
+TALL = Cylinder(radius=0.030, height=0.280, mass=0.60)
 HANGING = Cylinder(radius=0.025, height=0.280, mass=0.30)
 TABLE_TASK = CellTask(TaskKind.TABLE, STANDING, (0.48, 0.0, TABLE_TOP + 0.5 * STANDING.height))
+ALIGN_TASK = CellTask(TaskKind.ALIGN, TALL, (0.76, 0.0, TABLE_TOP + 0.5 * TALL.height))
 FLOATING_TASK = CellTask(TaskKind.FLOATING, HANGING, (0.72, 0.0, 0.10))

@@ -15,17 +15,17 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 
 from palmar.errors import InputError
-from palmar.models.cell_task import FLOATING_TASK, TABLE_TASK, CellTask, TaskKind
+from palmar.models.cell_task import ALIGN_TASK, FLOATING_TASK, TABLE_TASK, CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.faults import Fault, FaultKind
 from palmar.worlds.cell.pose_camera import CameraSettings
 from palmar.worlds.mujoco.cell.settings import CellSettings
 from palmar.worlds.mujoco.cell.trial import TrialResult, run_trial
 
-TASKS = {TaskKind.TABLE: TABLE_TASK, TaskKind.FLOATING: FLOATING_TASK}
+TASKS = {TaskKind.TABLE: TABLE_TASK, TaskKind.FLOATING: FLOATING_TASK, TaskKind.ALIGN: ALIGN_TASK}
 PLACED, SWAY = 0.020, 0.010
 """The cylinder is within so much (m) of its task's place, or passes its rest position with up to so much (m/s)."""
-FAULT_WITHIN = {TaskKind.TABLE: 7.0, TaskKind.FLOATING: 5.0}
+FAULT_WITHIN = {TaskKind.TABLE: 7.0, TaskKind.FLOATING: 5.0, TaskKind.ALIGN: 8.0}
 """A fault sets in at a time drawn uniformly from 0 to this (s)."""
 
 

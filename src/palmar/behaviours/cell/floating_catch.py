@@ -2,6 +2,9 @@
 
 The arm drives the open hand toward the rest position. As soon as the palm feels the cylinder the reflex layer closes the
 fingers while the arm still moves; the arm stops when the fingers have arrived, and carries the cylinder away.
+
+With ``align`` (section 7.2) it takes a cylinder that stands on a table from the side: it drives slowly, the first palm bit
+stops the arm, a hand of which only one side touches is turned about that contact until the other does, and then closes.
 """
 
 from __future__ import annotations
@@ -12,9 +15,10 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.behaviours.cell.arm_path import ArmPath, halt, toward
+from palmar.behaviours.cell.arm_path import PERIOD, ArmPath, halt, toward
+from palmar.behaviours.cell.palm_alignment import aligned
 from palmar.behaviours.cell.sightings import Seen
-from palmar.behaviours.cell.table_pick import HOLD, PATIENCE, lost
+from palmar.behaviours.cell.table_pick import HOLD, LIFT, PATIENCE, lost
 from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandMode, HandOrder
 from palmar.models.salisbury_hand import CYLINDRIC, SalisburyHand
 
@@ -23,6 +27,8 @@ WATCHED = 0.8
 """How long (s) the rest position is watched before the arm moves."""
 STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.15
 """Palm to the axis at the start of the drive; how far past the rest position it goes; how far it carries away (m)."""
+GENTLE, TURNING, TURNED = 0.02, 0.15, 5.0
+"""With alignment: speed of the drive (m/s), rate of turning (rad/s), and the longest time (s) for it."""
 CLOSING_TIME = 1.5
 """Fingers that have not arrived after this (s) do not."""
 
@@ -33,7 +39,8 @@ class Phase(Enum):
     LOOK = "watch the rest position"
     LINE_UP = "line up"
     DRIVE = "drive toward the rest position"
-    CLOSING = "close while the arm moves on"
+    ALIGN = "turn about the contact"
+    CLOSING = "close"
     STOP = "stop the arm"
     CARRY = "carry away"
     HOLD = "hold"
@@ -64,6 +71,7 @@ class FloatingCatch:
     drive: float = 0.12
     closing_rate: float = 4.0
     grip: float = 0.5
+    align: bool = False
 
     def begin(self, pose: Floats, time: float) -> Catching:
         """At the arm's present set-point of the hand frame (4, 4)."""
@@ -84,7 +92,7 @@ class FloatingCatch:
     def _hand(self, state: Catching) -> HandOrder:
         closing = state.phase in (Phase.CLOSING, Phase.STOP, Phase.CARRY, Phase.HOLD)
         mode = HandMode.CLOSE if closing else HandMode.SHAPE
-        armed = state.phase is Phase.DRIVE
+        armed = state.phase is Phase.DRIVE and not self.align
         return HandOrder(mode, (self.hand.open_curl,) * 3, CYLINDRIC, self.closing_rate, self.grip, armed)
 
     def _goal(self, state: Catching, distance: float) -> Floats:
@@ -120,6 +128,8 @@ class FloatingCatch:
         return replace(state, path=toward(state.path, goal, self.fast))
 
     def _drive(self, state: Catching, seen: CellSeen) -> Catching:
+        if any(seen.palm) and self.align:
+            return replace(state, phase=Phase.ALIGN, since=seen.time, path=halt(state.path))
         if any(seen.palm):
             return self._closing(replace(state, phase=Phase.CLOSING, since=seen.time), seen)
         blind = self._blind(state, seen)
@@ -128,13 +138,27 @@ class FloatingCatch:
         goal = self._goal(state, -BEYOND)
         if state.path.there(goal):
             return replace(state, end=CellEnd.NOTHING_FELT)
-        return replace(state, path=toward(state.path, goal, self.drive))
+        return replace(state, path=toward(state.path, goal, GENTLE if self.align else self.drive))
+
+    def _align(self, state: Catching, seen: CellSeen) -> Catching:
+        """Turn about what is felt; what has gone is followed."""
+        if all(seen.palm):
+            return replace(state, phase=Phase.CLOSING, since=seen.time)
+        if seen.time - state.since > TURNED:
+            return replace(state, end=CellEnd.NOTHING_GRIPPED)
+        if not any(seen.palm):
+            ahead = state.path.place + 0.01 * state.path.pose[:3, 2]
+            return replace(state, path=toward(state.path, ahead, GENTLE))
+        turned = aligned(state.path.pose, seen.palm, self.hand, TURNING * PERIOD)
+        return replace(state, path=ArmPath(turned))
 
     def _closing(self, state: Catching, seen: CellSeen) -> Catching:
         if seen.gripped or seen.at_end:
             return replace(state, phase=Phase.STOP, since=seen.time, gripped_at=seen.curls)
         if seen.time - state.since > CLOSING_TIME:
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
+        if self.align:
+            return replace(state, path=halt(state.path))
         return replace(state, path=toward(state.path, self._goal(state, -BEYOND), self.drive))
 
     def _stop(self, state: Catching, seen: CellSeen) -> Catching:
@@ -143,7 +167,8 @@ class FloatingCatch:
             return state
         if not seen.gripped:
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
-        away = state.path.place - AWAY * state.path.pose[:3, 2]
+        way = np.array([0.0, 0.0, LIFT]) if self.align else -AWAY * state.path.pose[:3, 2]
+        away = state.path.place + way
         return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=tuple(away))
 
     def _carry(self, state: Catching, seen: CellSeen) -> Catching:
@@ -164,6 +189,7 @@ _STEPS = {
     Phase.LOOK: FloatingCatch._look,
     Phase.LINE_UP: FloatingCatch._line_up,
     Phase.DRIVE: FloatingCatch._drive,
+    Phase.ALIGN: FloatingCatch._align,
     Phase.CLOSING: FloatingCatch._closing,
     Phase.STOP: FloatingCatch._stop,
     Phase.CARRY: FloatingCatch._carry,

@@ -28,7 +28,10 @@ Number = Annotated[str, Parameter(allow_leading_hyphen=True)]
 
 @app.command
 def run(
-    task: Annotated[Literal["table", "floating"], Parameter(help="Pick up from a table, or catch in the air.")],
+    task: Annotated[
+        Literal["table", "floating", "align"],
+        Parameter(help="Pick up from a table, catch in the air, or take from the side after aligning the palm."),
+    ],
     *,
     trials: Annotated[int, Parameter(help="How many.")] = 20,
     seed: Annotated[int, Parameter(help="Of everything that is drawn.")] = 0,
@@ -40,7 +43,7 @@ def run(
     ] = False,
     tension_noise_n: Annotated[Number, Parameter(help="Standard deviation of each tendon's tension sensor.")] = "2",
     latency_ms: Annotated[Number, Parameter(help="Of vision.")] = "40",
-    turn_deg: Annotated[Number, Parameter(help="Floating: how far the wrist is turned from square.")] = "0",
+    turn_deg: Annotated[Number, Parameter(help="Floating and align: how far the wrist is turned from square.")] = "0",
     fault: Annotated[
         str, Parameter(help="Let one thing fail at a time that is drawn: see `palmar cell faults`.")
     ] = "none",

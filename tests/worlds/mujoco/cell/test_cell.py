@@ -95,6 +95,13 @@ def test_without_friction_nothing_is_held():
     assert run_trial(HAND, slippery, CellSettings(seed=1)).outcome == "slipped"
 
 
+def test_a_palm_that_comes_askew_is_turned_square_before_it_closes():
+    result = run_one((Trials(TaskKind.ALIGN, 1, seed=3, turn=np.radians(10.0)), 0))
+    assert (result.outcome, result.unsafe) == ("success", ())
+    phases = dict((what, time) for time, what in result.phases)
+    assert phases["close"] - phases["turn about the contact"] > 1.0
+
+
 def test_a_late_reply_stops_the_arm_safely_and_is_counted():
     result = run_trial(HAND, TABLE_TASK, CellSettings(fault=Fault(FaultKind.LATE_REPLY, 0.9)))
     assert (result.outcome, result.unsafe) == ("stopped", ())

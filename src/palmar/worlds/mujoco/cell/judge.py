@@ -37,7 +37,7 @@ class Judge:
         self.start = self.cell.data.xpos[self.cell.object].copy()
         self.palm = model.body("hand").id
         self.thing = model.geom("object").id
-        self.table = model.geom("table").id if self.cell.task.kind is TaskKind.TABLE else -1
+        self.table = model.geom("table").id if self.cell.task.kind is not TaskKind.FLOATING else -1
         self.mark = np.zeros(3)
 
     def look(self) -> None:
@@ -45,7 +45,7 @@ class Judge:
         data = self.cell.data
         carried = data.xpos[self.cell.object] - self.start
         in_hand = data.xmat[self.palm].reshape(3, 3).T @ (data.xpos[self.cell.object] - data.xpos[self.palm])
-        on_table = self.cell.task.kind is TaskKind.TABLE
+        on_table = self.cell.task.kind is not TaskKind.FLOATING
         self.raised = float(carried[2]) if on_table else float(np.linalg.norm(carried))
         if self.raised < FAR or (self.since is not None and np.linalg.norm(in_hand - self.mark) > DRIFT):
             self.since = None

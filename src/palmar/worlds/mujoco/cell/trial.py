@@ -73,7 +73,7 @@ def behaviour_for(hand: SalisburyHand, task: CellTask, error: float) -> TablePic
     """The behaviour of a task; ``error`` (m) bounds vision's systematic error."""
     if task.kind is TaskKind.TABLE:
         return TablePick(hand, task.place[2] + 0.5 * task.cylinder.height, error)
-    return FloatingCatch(hand, task.place[2])
+    return FloatingCatch(hand, task.place[2], align=task.kind is TaskKind.ALIGN)
 
 
 def run_trial(
@@ -152,7 +152,7 @@ def _why(judge: Judge, end: CellEnd | None) -> str:
         return str(end.value)
     if end in (CellEnd.LOST_GRIP, CellEnd.HOLDS):
         return "slipped"
-    if judge.cell.task.kind is TaskKind.TABLE and judge.tilt > TOPPLED:
+    if judge.cell.task.kind is not TaskKind.FLOATING and judge.tilt > TOPPLED:
         return "toppled"
     if end is CellEnd.OUT_OF_APPROACHES:
         return "out of approaches"
