@@ -98,7 +98,7 @@ def test_without_friction_nothing_is_held():
 def test_a_palm_that_comes_askew_is_turned_square_before_it_closes():
     result = run_one((Trials(TaskKind.ALIGN, 1, seed=3, turn=np.radians(10.0)), 0))
     assert (result.outcome, result.unsafe) == ("success", ())
-    phases = dict((what, time) for time, what in result.phases)
+    phases = {what: time for time, what in result.phases}
     assert phases["close"] - phases["turn about the contact"] > 1.0
 
 
