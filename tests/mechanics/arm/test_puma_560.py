@@ -31,6 +31,7 @@ def test_every_inverse_leads_back_and_one_of_them_is_the_start():
     assert np.abs(back - poses[owner]).max() < 1e-9
     apart = np.abs(np.angle(np.exp(1j * (found.joints - JOINTS[:, None])))).max(axis=-1)
     assert apart.min(axis=1).max() < 1e-6
+    assert found.allowed[np.arange(len(JOINTS)), apart.argmin(axis=1)].all()
     assert reachable(poses).sum() == found.allowed.any(axis=1).sum()
 
 
