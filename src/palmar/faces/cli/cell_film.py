@@ -6,6 +6,7 @@ import os
 import shutil
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
+from pickle import dumps, loads
 from typing import TYPE_CHECKING
 
 from palmar.errors import InputError, NotCoveredError, OutputError
@@ -52,21 +53,34 @@ def film(path: Path, asked: Trials) -> str:
     return f"the first trial, filmed: {path}"
 
 
+def _rendered(packed: bytes) -> list[Picture] | None:
+    """In a process of its own: pictures of the first trial, None where nothing can be rendered this way.
+
+    The trials come packed: to unpack them imports MuJoCo, which raises where the way to render is not there.
+    """
+    try:
+        asked: Trials = loads(packed)
+        from palmar.models.salisbury_hand import SalisburyHand
+        from palmar.worlds.mujoco.cell.film import film_trial
+
+        return film_trial(SalisburyHand(), asked.task, asked.settings(0), asked.error)
+    except (NotCoveredError, ImportError, AttributeError, RuntimeError):
+        return None
+
+
 def _pictures(asked: Trials) -> list[Picture] | None:
     """Through EGL, or else OSMesa; ``MUJOCO_GL``, where set, names the only way to be tried."""
-    from palmar.models.salisbury_hand import SalisburyHand
-    from palmar.worlds.mujoco.cell.film import film_trial
-
     set_by_user = os.environ.get("MUJOCO_GL")
     try:
         for way in (set_by_user,) if set_by_user else WAYS:
             os.environ["MUJOCO_GL"] = way
             try:
                 with processes(1) as pool:
-                    made = pool.submit(film_trial, SalisburyHand(), asked.task, asked.settings(0), asked.error)
-                    return made.result()
-            except (BrokenProcessPool, NotCoveredError, ImportError, AttributeError, RuntimeError):
+                    made = pool.submit(_rendered, dumps(asked)).result()
+            except BrokenProcessPool:  # the graphics stack took the process with it
                 continue
+            if made is not None:
+                return made
     finally:
         if set_by_user is None:
             os.environ.pop("MUJOCO_GL", None)
