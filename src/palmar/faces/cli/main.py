@@ -21,6 +21,7 @@ for name, summary in {
     "simulate": "What becomes of an object that starts here.",
     "validate": "A region put to the test: random starts inside and outside of it, in a world.",
     "testbed": "The planar test bed of the source: pre-images found by trial and error.",
+    "cell": "The 3-D cell: a Puma with the Salisbury hand picks up or catches a cylinder.",
     "plan": "Approaches by touch that certainly end in a grasp.",
     "tips": "Three fingertips from above: from where they catch a cylinder, plans by touch, toppling.",
     "touch": "What the hand's sensors buy, and how few would do.",

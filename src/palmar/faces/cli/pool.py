@@ -23,10 +23,10 @@ from rich.text import Text
 
 
 @contextmanager
-def processes() -> Iterator[Executor]:
-    """One process for each processor; a process starts with its first task."""
+def processes(most: int | None = None) -> Iterator[Executor]:
+    """One process for each processor, ``most`` at most; a process starts with its first task."""
     # A fresh interpreter for each process: one forked from threads may wait forever.
-    pool = ProcessPoolExecutor(cpu_count() or 1, mp_context=get_context("spawn"))
+    pool = ProcessPoolExecutor(min(cpu_count() or 1, most or 1_000_000), mp_context=get_context("spawn"))
     try:
         yield pool
     finally:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from itertools import chain
 from pathlib import Path
-from subprocess import DEVNULL, PIPE, Popen
 
 import numpy as np
 from matplotlib.colors import to_rgb
@@ -16,6 +14,7 @@ from palmar.faces.exports.whole_file import write_whole
 from palmar.faces.pages.film_page import film_page
 from palmar.faces.plots.film_frames import HELD, RATE, frames, moments
 from palmar.faces.plots.film_scene import Scene, scene
+from palmar.faces.plots.mp4 import fill_mp4
 from palmar.faces.plots.style import Role
 from palmar.models.case import Case
 from palmar.studies.simulate import Simulation
@@ -82,19 +81,4 @@ def _mp4(path: Path, film: Scene) -> None:
     """The pictures through ffmpeg, one by one."""
     times = moments(film)
     pictures = frames(film, times + times[-1:] * round(HELD * RATE))
-    first = next(pictures)
-    height, width, _ = first.shape
-    taken = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", str(RATE), "-i", "-"]
-    made = ["-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", str(path)]
-    words = ["ffmpeg", "-y", "-loglevel", "error", *taken, *made]
-    with Popen(words, stdin=PIPE, stdout=DEVNULL, stderr=PIPE) as program:
-        assert program.stdin is not None
-        try:
-            for each in chain([first], pictures):
-                program.stdin.write(each.tobytes())
-        except BrokenPipeError:
-            pass  # ffmpeg gave up, its message says why
-        _, said = program.communicate()
-    if program.returncode:
-        lines = said.decode(errors="replace").split("\n")
-        raise OutputError(f"ffmpeg cannot make the film: {next(filter(None, lines), f'status {program.returncode}')}")
+    fill_mp4(path, pictures, RATE)
