@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import get_context
 from os import cpu_count
+from typing import Protocol
 
 from rich.console import Console
 from rich.progress import (
@@ -33,8 +34,16 @@ def processes(most: int | None = None) -> Iterator[Executor]:
         pool.shutdown(cancel_futures=True)
 
 
+class Count(Protocol):
+    """How many are done, and of how many if that changes."""
+
+    def __call__(self, done: int, whole: int | None = None) -> None:
+        """Tell."""
+        ...
+
+
 @contextmanager
-def counting(whole: int, things: str, done: int = 0) -> Iterator[Callable[[int, int | None], None]]:
+def counting(whole: int, things: str, done: int = 0) -> Iterator[Count]:
     """A bar with rate and time left, on a terminal; it is told how many are done, and of how many if that changes."""
     with _bar(things) as bar:
         task = bar.add_task(things, total=whole, completed=done)
