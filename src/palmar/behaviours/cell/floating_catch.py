@@ -69,7 +69,7 @@ class FloatingCatch:
     height: float
     fast: float = 0.15
     drive: float = 0.12
-    closing_rate: float = 3.0
+    closing_rate: float = 4.0
     grip: float = 0.5
     align: bool = False
 
