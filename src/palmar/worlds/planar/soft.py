@@ -46,8 +46,8 @@ from palmar.worlds.planar.feedback import NO_TIME, TICK
 from palmar.worlds.planar.finger_pair import SIDES, Both
 
 STALL_TURN, STALL_SHARE = 0.1, 0.1
-"""A finger is held up if it has turned on by less than this share of so much (rad) that it was told to turn: long enough for
-one that an impact has stopped to be back at its rate."""
+"""A finger is held up if it has turned on by less than this share of so much (rad) that it was told to turn, and
+by what its motor needs to turn it back from an impact."""
 MOST_DAMPED = 5.0
 """Largest damping ratio of a contact: restitution 0.01; less than that is not told from it."""
 AT_END = 1e-9
@@ -166,7 +166,7 @@ class SoftWorld:
             self.owed[side] += span * abs(float(rate))
         if closes and angle >= self.hand.highest - AT_END:
             self.held[side] = True
-        elif self.owed[side] >= STALL_TURN:
+        elif self.owed[side] >= STALL_TURN + 2.0 * float(rate) ** 2 * self.hand.inertia / self.hand.limit:
             turned = float(np.sign(rate)) * (angle - self.from_angle[side])
             self.held[side], self.owed[side] = turned < STALL_SHARE * self.owed[side], 0.0
 
