@@ -9,7 +9,8 @@ stops the arm, a hand of which only one side touches is turned about that contac
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -17,9 +18,9 @@ from numpy.typing import NDArray
 
 from palmar.behaviours.cell.arm_path import PERIOD, ArmPath, halt, toward
 from palmar.behaviours.cell.palm_alignment import aligned
-from palmar.behaviours.cell.sightings import Seen
-from palmar.behaviours.cell.table_pick import HOLD, LIFT, PATIENCE, lost
-from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandMode, HandOrder
+from palmar.behaviours.cell.phased import Phased, PhaseState, lost
+from palmar.behaviours.cell.table_pick import HOLD, LIFT
+from palmar.models.cell_messages import CellEnd, CellSeen, HandMode, HandOrder
 from palmar.models.salisbury_hand import CYLINDRIC, SalisburyHand
 
 Floats = NDArray[np.float64]
@@ -47,22 +48,16 @@ class Phase(Enum):
 
 
 @dataclass(frozen=True)
-class Catching:
-    """State: phase and when it began (s), the arm's set-point, sightings, the rest position (m), curls at the grip."""
+class Catching(PhaseState):
+    """``rest``: the rest position (m); ``away``: where (m) the palm carries the cylinder."""
 
-    phase: Phase
-    since: float
-    path: ArmPath
-    seen: Seen = field(default_factory=Seen)
     rest: tuple[float, float] = (0.0, 0.0)
-    gripped_at: tuple[float, float, float] | None = None
     away: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    end: CellEnd | None = None
     approaches: int = 1
 
 
 @dataclass(frozen=True)
-class FloatingCatch:
+class FloatingCatch(Phased[Catching]):
     """What is known beforehand: the hand, and the height (m) at which to catch; the drive goes along the hand's z."""
 
     hand: SalisburyHand
@@ -72,24 +67,18 @@ class FloatingCatch:
     closing_rate: float = 4.0
     grip: float = 0.5
     align: bool = False
+    guided = frozenset({Phase.LINE_UP, Phase.DRIVE})
 
     def begin(self, pose: Floats, time: float) -> Catching:
         """At the arm's present set-point of the hand frame (4, 4)."""
         return Catching(Phase.LOOK, time, ArmPath(pose))
 
-    def step(self, state: Catching, seen: CellSeen) -> tuple[Catching, CellOrder]:
-        """One request of the arm's controller."""
-        state = replace(state, seen=state.seen.take(seen.sighting, seen.time))
-        if seen.stopped is not None:
-            state = replace(state, end=state.end or CellEnd.STOPPED)
-        if state.end is None:
-            state = _STEPS[state.phase](self, state, seen)
-        if state.end is not None and state.end is not CellEnd.HOLDS:
-            state = replace(state, path=halt(state.path))
-        guided = state.phase in (Phase.LINE_UP, Phase.DRIVE) and state.end is None
-        return state, CellOrder(state.path.pose, self._hand(state), state.phase.value, state.end, guided)
+    def in_phase(self, state: Catching, seen: CellSeen) -> Catching:
+        """What the present phase does at one request."""
+        return _STEPS[state.phase](self, state, seen)
 
-    def _hand(self, state: Catching) -> HandOrder:
+    def hand_order(self, state: Catching) -> HandOrder:
+        """Open, or closing from the moment the palm was felt."""
         closing = state.phase in (Phase.CLOSING, Phase.STOP, Phase.CARRY, Phase.HOLD)
         mode = HandMode.CLOSE if closing else HandMode.SHAPE
         armed = state.phase is Phase.DRIVE and not self.align
@@ -102,22 +91,16 @@ class FloatingCatch:
         place: Floats = axis - turn @ np.array([0.0, self.hand.grasp_line, distance])
         return place
 
-    def _blind(self, state: Catching, seen: CellSeen) -> Catching | None:
-        if state.seen.fresh(seen.time):
-            return None
-        gone = not state.seen.kept or seen.time - state.seen.kept[-1].stamp_s > PATIENCE or state.seen.same > 0
-        return replace(state, path=halt(state.path), end=CellEnd.NO_FRESH_SIGHTING if gone else None)
-
     def _look(self, state: Catching, seen: CellSeen) -> Catching:
         if any(seen.palm):
             return replace(state, end=CellEnd.SENSOR_FAULT)
         if seen.time - state.since < WATCHED:
             return state
-        blind = self._blind(state, seen)
+        blind = self.blind(state, seen)
         return blind or replace(state, phase=Phase.LINE_UP, since=seen.time, rest=state.seen.place)
 
     def _line_up(self, state: Catching, seen: CellSeen) -> Catching:
-        blind = self._blind(state, seen)
+        blind = self.blind(state, seen)
         if blind is not None:
             return blind
         if any(seen.palm):
@@ -132,7 +115,7 @@ class FloatingCatch:
             return replace(state, phase=Phase.ALIGN, since=seen.time, path=halt(state.path))
         if any(seen.palm):
             return self._closing(replace(state, phase=Phase.CLOSING, since=seen.time), seen)
-        blind = self._blind(state, seen)
+        blind = self.blind(state, seen)
         if blind is not None:
             return blind
         goal = self._goal(state, -BEYOND)
@@ -185,7 +168,7 @@ class FloatingCatch:
         return state if seen.time - state.since < HOLD else replace(state, end=CellEnd.HOLDS)
 
 
-_STEPS = {
+_STEPS: dict[Enum, Callable[[FloatingCatch, Catching, CellSeen], Catching]] = {
     Phase.LOOK: FloatingCatch._look,
     Phase.LINE_UP: FloatingCatch._line_up,
     Phase.DRIVE: FloatingCatch._drive,

@@ -8,7 +8,8 @@ the arm moves there, and it closes again.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -16,26 +17,24 @@ from numpy.typing import NDArray
 
 from palmar.behaviours.cell.arm_path import ArmPath, halt, toward
 from palmar.behaviours.cell.belief import Belief, after_touch, around
-from palmar.behaviours.cell.sightings import Seen
+from palmar.behaviours.cell.phased import PATIENCE, Phased, PhaseState, lost
 from palmar.mechanics.arm.salisbury_finger import tip_in_hand
-from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandMode, HandOrder
+from palmar.models.cell_messages import CellEnd, CellSeen, HandMode, HandOrder
 from palmar.models.salisbury_hand import TIP_PREHENSION, SalisburyHand
 
 Floats = NDArray[np.float64]
 ENOUGH = 10
 """Sightings before the first move."""
-PATIENCE = 1.0
-"""How long (s) the arm waits for a fresh sighting or the fingers for a grip."""
 CLEARANCE, BACK_OFF, PAST_TOP = 0.025, 0.002, 0.0015
 """Of the tips over the top; how far the palm draws back to close; how far below the top it feels for it (m)."""
 LIFT, HOLD = 0.115, 2.3
 """How far (m) and how long (s)."""
 CAUGHT = 0.015
 """What was within so much (m) of the palm's middle when the hand closed on nothing would have been caught."""
+DRAWN_BACK = 0.25
+"""So long (s) after the touch the palm is clear of the top again."""
 ALONE, OFF = 0.12, 0.005
 """So long (s) two fingers touch without the third before the arm moves, if that is further than this (m)."""
-GIVEN_WAY = 0.05
-"""Curl (rad) by which fingers have closed further when what they held is gone."""
 
 
 class Phase(Enum):
@@ -52,28 +51,19 @@ class Phase(Enum):
 
 
 @dataclass(frozen=True)
-class Picking:
-    """State: phase and when it began (s), the arm's set-point, sightings, belief, approaches so far, curls at the grip.
-
-    ``contact``: height (m) at which the palm touched; ``pair``: since when (s) two fingers touch without the third;
-    ``centre``: where (m) they say the axis is.
+class Picking(PhaseState):
+    """``belief``: places of the axis; ``contact``: height (m) at which the palm touched; ``pair``: since when (s) two
+    fingers touch without the third; ``centre``: where (m) they say the axis is.
     """
 
-    phase: Phase
-    since: float
-    path: ArmPath
-    seen: Seen = field(default_factory=Seen)
     belief: Belief | None = None
-    approaches: int = 0
-    gripped_at: tuple[float, float, float] | None = None
     contact: float = 0.0
     pair: float | None = None
     centre: tuple[float, float] = (0.0, 0.0)
-    end: CellEnd | None = None
 
 
 @dataclass(frozen=True)
-class TablePick:
+class TablePick(Phased[Picking]):
     """What is known beforehand: the hand, the cylinder's top (m), a bound (m) on vision's systematic error."""
 
     hand: SalisburyHand
@@ -82,21 +72,15 @@ class TablePick:
     approaches_most: int = 4
     fast: float = 0.15
     slow: float = 0.04
+    guided = frozenset({Phase.OVER, Phase.DESCEND})
 
     def begin(self, pose: Floats, time: float) -> Picking:
         """At the arm's present set-point of the hand frame (4, 4)."""
         return Picking(Phase.LOOK, time, ArmPath(pose))
 
-    def step(self, state: Picking, seen: CellSeen) -> tuple[Picking, CellOrder]:
-        """One request of the arm's controller."""
-        state = replace(state, seen=state.seen.take(seen.sighting, seen.time))
-        if seen.stopped is not None:
-            state = replace(state, end=state.end or CellEnd.STOPPED)
-        if state.end is None:
-            state = _STEPS[state.phase](self, state, seen)
-        if state.end is not None and state.end is not CellEnd.HOLDS:
-            state = replace(state, path=halt(state.path))
-        return state, CellOrder(state.path.pose, self._hand(state), state.phase.value, state.end, self._guided(state))
+    def in_phase(self, state: Picking, seen: CellSeen) -> Picking:
+        """What the present phase does at one request."""
+        return _STEPS[state.phase](self, state, seen)
 
     @property
     def tips(self) -> Floats:
@@ -112,10 +96,8 @@ class TablePick:
         """Height (m) of the palm from which the hand is lowered."""
         return self.top + float(self.tips[:, 2].max()) + self.hand.tip_radius + CLEARANCE
 
-    def _guided(self, state: Picking) -> bool:
-        return state.phase in (Phase.OVER, Phase.DESCEND) and state.end is None
-
-    def _hand(self, state: Picking) -> HandOrder:
+    def hand_order(self, state: Picking) -> HandOrder:
+        """Open, or closing from the moment the palm was felt."""
         open_curls = (self.hand.open_curl,) * 3
         if state.phase in (Phase.CLOSE, Phase.LIFT, Phase.HOLD):
             return HandOrder(HandMode.CLOSE, open_curls)
@@ -131,20 +113,12 @@ class TablePick:
         late = seen.time - state.since > 2.0 * PATIENCE
         return replace(state, end=CellEnd.NO_FRESH_SIGHTING) if late else state
 
-    def _wait_for_sight(self, state: Picking, seen: CellSeen) -> Picking | None:
-        """The state that holds still where there is no fresh sighting, None where there is one."""
-        if state.seen.fresh(seen.time):
-            return None
-        last = state.seen.kept[-1].stamp_s
-        lost = seen.time - last > PATIENCE or state.seen.same > 0
-        return replace(state, path=halt(state.path), end=CellEnd.NO_FRESH_SIGHTING if lost else None)
-
     def _goal(self, state: Picking, height: float) -> Floats:
         assert state.belief is not None
         return np.array([*state.belief.middle, height])
 
     def _over(self, state: Picking, seen: CellSeen) -> Picking:
-        waiting = self._wait_for_sight(state, seen)
+        waiting = self.blind(state, seen)
         if waiting is not None:
             return waiting
         if any(seen.palm):
@@ -161,7 +135,7 @@ class TablePick:
             )
         if any(seen.touched):
             return self._felt_fingers(state, seen)
-        waiting = self._wait_for_sight(state, seen)
+        waiting = self.blind(state, seen)
         if waiting is not None:
             return waiting
         goal = self._goal(state, self.top - PAST_TOP)
@@ -186,6 +160,8 @@ class TablePick:
     def _close(self, state: Picking, seen: CellSeen) -> Picking:
         goal = np.array([*state.path.place[:2], state.contact + BACK_OFF])
         state = replace(state, path=toward(state.path, goal, self.slow))
+        if any(seen.palm) and not any(seen.touched) and seen.time - state.since > DRAWN_BACK:
+            return replace(state, end=CellEnd.SENSOR_FAULT)
         if seen.gripped:
             return self._gripped(state, seen)
         if seen.at_end or seen.time - state.since > 3.0 * PATIENCE:
@@ -230,6 +206,8 @@ class TablePick:
     def _centre(self, state: Picking, seen: CellSeen) -> Picking:
         goal = np.array([*state.centre, state.contact + BACK_OFF])
         if state.path.there(goal) and seen.at_end:
+            if any(seen.palm):
+                return replace(state, end=CellEnd.SENSOR_FAULT)
             return replace(state, phase=Phase.CLOSE, since=seen.time)
         opened = max(seen.curls) < 0.5 * self.hand.open_curl
         return replace(state, path=toward(state.path, goal, self.slow)) if opened else state
@@ -266,13 +244,7 @@ def circumcentre(tips: Floats) -> Floats:
     return centre
 
 
-def lost(gripped_at: tuple[float, float, float] | None, seen: CellSeen) -> bool:
-    """Whether fingers have closed further since the grip: what they held is gone."""
-    assert gripped_at is not None
-    return max(now - then for now, then in zip(seen.curls, gripped_at, strict=True)) > GIVEN_WAY
-
-
-_STEPS = {
+_STEPS: dict[Enum, Callable[[TablePick, Picking, CellSeen], Picking]] = {
     Phase.LOOK: TablePick._look,
     Phase.OVER: TablePick._over,
     Phase.DESCEND: TablePick._descend,

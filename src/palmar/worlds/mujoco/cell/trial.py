@@ -9,9 +9,8 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.behaviours.cell.floating_catch import FloatingCatch
 from palmar.behaviours.cell.sightings import OLDEST
-from palmar.behaviours.cell.table_pick import TablePick
+from palmar.behaviours.cell.tasks import programme_for
 from palmar.models.cell_messages import CellEnd, CellOrder, Eye
 from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
@@ -69,13 +68,6 @@ def start_pose(hand: SalisburyHand, task: CellTask, turn: float = 0.0) -> Floats
     return pose
 
 
-def behaviour_for(hand: SalisburyHand, task: CellTask, error: float) -> TablePick | FloatingCatch:
-    """The behaviour of a task; ``error`` (m) bounds vision's systematic error."""
-    if task.kind is TaskKind.TABLE:
-        return TablePick(hand, task.place[2] + 0.5 * task.cylinder.height, error)
-    return FloatingCatch(hand, task.place[2], align=task.kind is TaskKind.ALIGN)
-
-
 def run_trial(
     hand: SalisburyHand,
     task: CellTask,
@@ -87,28 +79,27 @@ def run_trial(
     """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``: None, the simulated camera."""
     began = perf_counter()
     cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye)
-    behaviour, judge = behaviour_for(hand, task, error), Judge(cell)
-    state = behaviour.begin(cell.pose, 0.0)
+    programme, judge = programme_for(hand, task, error, cell.pose), Judge(cell)
     end: CellEnd | None = None
-    left, phases = int(AFTERWARDS / 0.028), [(0.0, state.phase.value)]
+    left, phases = int(AFTERWARDS / 0.028), [(0.0, programme.state.phase.value)]
     while cell.time < LONGEST and left > 0:
         if end is None or end is CellEnd.HOLDS:
-            before = state.path.pose
-            state, order = behaviour.step(state, cell.seen())  # type: ignore[arg-type]
+            before = programme.state.path.pose
+            order = programme.step(cell.seen())
             cell.order = order.hand
             _check_sight(cell, judge, order, before)
             end = order.end
             if order.why != phases[-1][1]:
                 phases.append((cell.time, order.why))
         left -= end is not None
-        if not cell.reply(state.path.pose):
+        if not cell.reply(programme.state.path.pose):
             end = CellEnd.OUT_OF_REACH
         for _ in range(TICKS):
             cell.tick()
         judge.look()
         if watch is not None:
             watch(cell)
-    return _result(cell, judge, end, state.approaches, phases, perf_counter() - began)
+    return _result(cell, judge, end, programme.state.approaches, phases, perf_counter() - began)
 
 
 def _check_sight(cell: Cell, judge: Judge, order: CellOrder, before: Floats) -> None:
