@@ -55,7 +55,8 @@ class PoseCamera:
         if now < self.due:
             return
         self.due += 1.0 / self.settings.rate
-        if self.fault.now(FaultKind.CAMERA_KILLED, now) or self.random.random() < self.settings.dropped:
+        gone = self.fault.now(FaultKind.CAMERA_KILLED, now) or self.fault.now(FaultKind.VISION_KILLED, now)
+        if gone or self.random.random() < self.settings.dropped:
             return
         x, y, radius = self.where()
         noise = self.settings.noise * self.random.standard_normal(3)

@@ -120,24 +120,30 @@ class Cell:
         delay = self.settings.reply + 0.001 * float(self.random.exponential())
         fault = self.settings.fault
         if fault.now(FaultKind.CONTROLLER_KILLED, self.time):
-            joints: Floats | None = None
-            delay = np.inf
-        else:
-            joints = nearest(palm_pose @ self.unmount, self.link.goal)
-            if joints is None:
-                self.link.reply(self.time, delay, self.link.goal)
-                return False
+            return self.answer(self.time, np.inf, None)
         if fault.now(FaultKind.LATE_REPLY, self.time):
             delay = 0.020
-        self.link.reply(self.time, delay, joints)
+        return self.answer(self.time, delay, palm_pose)
+
+    def answer(self, asked: float, delay: float, palm_pose: Floats | None) -> bool:
+        """To the request made at a time (s), ``delay`` (s) later, None if it never came; whether the arm can reach it."""
+        joints = None if palm_pose is None else nearest(palm_pose @ self.unmount, self.link.goal)
+        reachable = palm_pose is None or joints is not None
+        self.link.reply(asked, delay, joints if reachable else self.link.goal)
         if self.link.interrupted:
             self.stopped = "the reply to the arm was late"
-        return True
+        return reachable
+
+    def hold(self, why: str) -> None:
+        """Stop the arm where it is and leave the hand as it is, for good."""
+        self.stopped = self.stopped or why
+        self.link.hold()
 
     def tick(self) -> None:
         """One servo tick and one step of physics."""
         data, now = self.data, self.time
-        self.camera.expose(now)
+        if self.eye is None:
+            self.camera.expose(now)
         felt = self._feel(now)
         self.reflex = reflex_step(self.reflex, felt, self.order, self.stopped is not None, STEP)
         if not self.trace or self.trace[-1][1] is not self.reflex.owner:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from palmar.behaviours.cell.sightings import OLDEST
 from palmar.behaviours.cell.tasks import programme_for
-from palmar.models.cell_messages import CellEnd, CellOrder, Eye
+from palmar.models.cell_messages import CellEnd, CellOrder, Eye, Sighting
 from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.mujoco.cell.cell import Cell
@@ -87,7 +87,7 @@ def run_trial(
             before = programme.state.path.pose
             order = programme.step(cell.seen())
             cell.order = order.hand
-            _check_sight(cell, judge, order, before)
+            check_sight(judge, order, before, cell.sighting, cell.time)
             end = order.end
             if order.why != phases[-1][1]:
                 phases.append((cell.time, order.why))
@@ -99,20 +99,20 @@ def run_trial(
         judge.look()
         if watch is not None:
             watch(cell)
-    return _result(cell, judge, end, programme.state.approaches, phases, perf_counter() - began)
+    return result_of(cell, judge, end, programme.state.approaches, phases, perf_counter() - began)
 
 
-def _check_sight(cell: Cell, judge: Judge, order: CellOrder, before: Floats) -> None:
-    """The arm must not move by vision without a fresh sighting."""
-    latest = cell.sighting
+def check_sight(judge: Judge, order: CellOrder, before: Floats, latest: Sighting | None, now: float) -> None:
+    """The arm must not move by vision without a sighting that is fresh at a time (s); ``before``: its last set-point."""
     moved = float(np.abs(order.palm_pose - before).max()) > 1e-9
-    if order.guided and moved and (latest is None or cell.time - latest.stamp_s > OLDEST + 0.028):
+    if order.guided and moved and (latest is None or now - latest.stamp_s > OLDEST + 0.028):
         judge.faults.add("moved by a stale sighting")
 
 
-def _result(
+def result_of(
     cell: Cell, judge: Judge, end: CellEnd | None, approaches: int, phases: list[tuple[float, str]], wall: float
 ) -> TrialResult:
+    """What came of a trial that took ``wall`` seconds."""
     if end is None:
         judge.faults.add("never ended")
     if judge.speed > CREEP:
