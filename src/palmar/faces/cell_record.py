@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from palmar.studies.cell_trials import CellReport
+    from palmar.worlds.cell.timing import Timing
 
 
 def cell_record(report: CellReport) -> dict[str, Any]:
@@ -31,4 +32,36 @@ def cell_record(report: CellReport) -> dict[str, Any]:
         "simulated_s": sum(each.seconds for each in report.results),
         "real_time_factor": report.real_time_factor,
         "results": [asdict(each) for each in report.results],
+        "real_time": bool(report.timings),
+    } | (timing_record(report) if report.timings else {})
+
+
+def timing_record(report: CellReport) -> dict[str, Any]:
+    """How well trials in real time kept their times (s), all of them together; and one by one."""
+    from palmar.worlds.cell.timing import percentiles
+
+    kept = report.kept
+    return {
+        "jitter_s": percentiles(each.late for each in kept),
+        "slipped_s": sum(each.slipped for each in kept),
+        "reply_s": percentiles(each.replies for each in kept),
+        "requests": sum(each.asked for each in kept),
+        "missed_deadlines": sum(each.missed for each in kept),
+        "malformed_replies": sum(each.malformed for each in kept),
+        "sightings": {
+            name: sum(getattr(each.sightings, name) for each in kept)
+            for name in ("received", "stale", "dropped", "malformed")
+        },
+        "real_time_priority": bool(kept) and all(each.in_line for each in kept),
+        "timings": [None if each is None else _of_one(each) for each in report.timings],
+    }
+
+
+def _of_one(timing: Timing) -> dict[str, Any]:
+    return {
+        "fault_s": timing.fault_s,
+        "at_rest_s": timing.at_rest,
+        "real_time_factor": timing.simulated / timing.wall,
+        "most_late_s": float(timing.late.max()),
+        "slowest_reply_s": float(timing.replies.max()) if len(timing.replies) else None,
     }

@@ -19,6 +19,7 @@ from palmar.models.cell_task import ALIGN_TASK, FLOATING_TASK, TABLE_TASK, CellT
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.faults import Fault, FaultKind
 from palmar.worlds.cell.pose_camera import CameraSettings
+from palmar.worlds.cell.timing import Timing
 from palmar.worlds.mujoco.cell.settings import CellSettings
 from palmar.worlds.mujoco.cell.trial import TrialResult, run_trial
 
@@ -78,10 +79,11 @@ class Trials:
 
 @dataclass(frozen=True)
 class CellReport:
-    """What came of all trials, in order."""
+    """What came of all trials, in order; ``timings``: of those in real time, empty in lock-step."""
 
     trials: Trials
     results: tuple[TrialResult, ...]
+    timings: tuple[Timing | None, ...] = ()
 
     @property
     def success(self) -> int:
@@ -105,8 +107,13 @@ class CellReport:
 
     @property
     def real_time_factor(self) -> float:
-        """Simulated seconds per second of one process."""
+        """Simulated seconds per second of one process; in real time, of the run itself without its start."""
         return sum(each.seconds for each in self.results) / max(sum(each.wall for each in self.results), 1e-9)
+
+    @property
+    def kept(self) -> tuple[Timing, ...]:
+        """Timings of those trials in real time that came to an end of their own."""
+        return tuple(each for each in self.timings if each is not None)
 
 
 def run_trials(

@@ -136,6 +136,7 @@ class Crew:
 
     def bury(self) -> None:
         """Nobody survives: the plant is asked to stop safely first, then everyone is killed."""
+        self.ear.close()
         if self.plant.is_alive():
             self.plant.terminate()
             self.plant.join(FAREWELL)
@@ -145,4 +146,3 @@ class Crew:
         for each in self.members.values():
             if each.pid is not None:
                 each.join()
-        self.ear.close()
