@@ -18,9 +18,10 @@ from palmar.worlds.cell.faults import Fault, FaultKind
 
 @dataclass(frozen=True)
 class CameraSettings:
-    """Frames per second; latency and its jitter's standard deviation (s); share of frames dropped; noise (m).
+    """Frames per second; latency and its jitter's standard deviation (s); share of frames dropped.
 
-    ``bias`` (m): a calibration error, the same in every frame.
+    ``noise`` (m): of sightings made of the true pose; ``grain``: of a rendered picture's pixels, of 255; ``bias`` (m): a
+    calibration error, the same in every frame.
     """
 
     rate: float = 30.0
@@ -28,12 +29,13 @@ class CameraSettings:
     jitter: float = 0.008
     dropped: float = 0.05
     noise: float = 0.0015
+    grain: float = 3.0
     bias: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        if self.rate <= 0.0 or min(self.latency, self.jitter, self.noise) < 0.0 or not 0.0 <= self.dropped < 1.0:
+        if self.rate <= 0.0 or min(self.latency, self.jitter, self.noise, self.grain) < 0.0 or not 0.0 <= self.dropped < 1.0:
             raise InputError(
-                "camera", None, "the rate must be positive, latency, jitter and noise not negative, dropped in 0 to 1"
+                "camera", None, "the rate must be positive, latency, jitter, noise and grain not negative, dropped in 0 to 1"
             )
 
 

@@ -1,0 +1,171 @@
+"""Finds an upright cylinder of known height in a colour picture: axis, radius, and how sure that is.
+
+Blobs of the cylinder's colour give a first guess; then the edge is looked for along normals of the outline that the guess
+foretells, to a fraction of a pixel, and the outline is fitted to it by Gauss and Newton. Where hand or arm hide the edge
+it is not found, and what is left of it tells less: the covariance comes from the points that were used.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palmar.worlds.cell.camera_model import Calibration, PinholeCamera
+from palmar.worlds.cell.opencv import cv2
+from palmar.worlds.cell.upright_outline import Upright, off_outline, outline
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Picture = NDArray[np.uint8]
+LEAST_RED, LEAST_SHARE = 50, 0.42
+"""A pixel of the cylinder's colour: red (of 255), and by which share of it green is less."""
+LEAST_BLUE = 40
+"""Of what lies beyond the cylinder's edge (of 255)."""
+LEAST_AREA, MOST_BLOBS = 60.0, 3
+"""Of a blob (px); how many, the largest first, are tried one by one."""
+SPACING, LEAST_SEEN, MOST_OFF = 2.0, 0.30, 0.6
+"""Between points of the outline (px); the share of them that must be seen; by how much (px, rms) they may miss it."""
+RADII = (0.010, 0.060)
+"""Other radii (m) are not what is looked for."""
+WIDE, NARROW = 6, 3
+"""Half widths (px) of the search for an edge: at first, and in the end."""
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """``body``; covariance (3, 3) of x, y, radius (m²); share of the outline that was seen; rms of what is left (px)."""
+
+    body: Upright
+    covariance: Floats
+    seen: float
+    left: float
+
+    @property
+    def sigma(self) -> float:
+        """Root mean square error (m) of the axis' place."""
+        return float(np.sqrt(self.covariance[0, 0] + self.covariance[1, 1]))
+
+
+@dataclass(frozen=True, eq=False)
+class CylinderFinder:
+    """``camera`` as its calibration says it is; ``low``, ``high``: known heights (m) of the cylinder's rims."""
+
+    camera: PinholeCamera
+    low: float
+    high: float
+    calibration: Calibration = Calibration()
+
+    def find(self, picture: Picture) -> Found | None:
+        """In a picture (height, width, 3) RGB; None where there is no cylinder, or too little of it to tell."""
+        blue = np.ascontiguousarray(picture[..., 2])
+        guesses = [self._guess(points) for points in _candidates(picture)]
+        found = [self._fit(blue, guess) for guess in guesses if guess is not None]
+        good = [each for each in found if each is not None]
+        return max(good, key=lambda each: each.seen, default=None)
+
+    def _guess(self, points: Floats) -> Upright | None:
+        """From pixels (n, 2) on the rim of a blob."""
+        ray = self.camera.rays(points.mean(axis=0))
+        x, y, _ = self.camera.place + ray * (0.5 * (self.low + self.high) - self.camera.place[2]) / ray[2]
+        body: Upright | None = Upright(x, y, 0.5 * sum(RADII), self.low, self.high)
+        for _ in range(12):
+            assert body is not None
+            off, slopes = off_outline(self.camera, body, points)
+            body = _stepped(body, slopes, -off, _trust(off, 1e-3))
+            if body is None:
+                return None
+        return body
+
+    def _fit(self, blue: NDArray[np.uint8], body: Upright) -> Found | None:
+        for width in (WIDE, WIDE, NARROW, NARROW):
+            edges = self._edges(blue, body, width)
+            if edges is None:
+                return None
+            moves, off, trust, _ = edges
+            stepped = _stepped(body, moves, off, trust)
+            if stepped is None:
+                return None
+            body = stepped
+        edges = self._edges(blue, body, NARROW)
+        return None if edges is None else self._told(body, *edges)
+
+    def _edges(self, blue: NDArray[np.uint8], body: Upright, width: int) -> tuple[Floats, Floats, Floats, float] | None:
+        """How points of the outline move (n, 3) with x, y, radius; how far (n,) out (px) edges are; trust; share seen."""
+        camera = self.camera
+        pixels = camera.pixels(outline(camera, body, SPACING))
+        along = np.roll(pixels, -1, axis=0) - np.roll(pixels, 1, axis=0)
+        out = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.maximum(np.linalg.norm(along, axis=1), 1e-9)[:, None]
+        out *= np.sign(((pixels - pixels.mean(axis=0)) * out).sum())
+        off, good = _edge(blue, pixels, out, width)
+        if good.mean() < LEAST_SEEN:
+            return None
+        pixels, out, off = pixels[good], out[good], off[good]
+        more, slopes = off_outline(camera, body, pixels + 0.25 * out)
+        less, _ = off_outline(camera, body, pixels - 0.25 * out)
+        moves = -slopes / np.maximum(2.0 * (more - less), 1e-6)[:, None]
+        return moves, off, _trust(off - np.median(off) if width == WIDE else off, 0.05), float(good.mean())
+
+    def _told(self, body: Upright, moves: Floats, off: Floats, trust: Floats, seen: float) -> Found | None:
+        left = float(np.sqrt((trust * off**2).sum() / max(trust.sum() - 3.0, 1.0)))
+        if left > MOST_OFF or seen * (trust > 0.0).mean() < LEAST_SEEN:
+            return None
+        inverse = np.linalg.inv((moves * trust[:, None]).T @ moves)
+        common = self.calibration.edge * inverse @ (moves * trust[:, None]).sum(axis=0)
+        return Found(body, left**2 * inverse + np.outer(common, common), seen, left)
+
+
+def _candidates(picture: Picture) -> list[Floats]:
+    """Pixels (n, 2) on the rims of the largest blobs, one by one and all together; not those on the picture's border."""
+    red = picture[..., 0]
+    redder = cv2.subtract(red, picture[..., 1])
+    mask = ((red >= LEAST_RED) & (redder > LEAST_SHARE * red)).astype(np.uint8)
+    contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    large = sorted((each for each in contours if cv2.contourArea(each) >= LEAST_AREA), key=cv2.contourArea, reverse=True)
+    height, width = mask.shape
+    rims = []
+    for each in large[:MOST_BLOBS]:
+        points = each[:, 0, :].astype(float)
+        inside = ((points > 0) & (points < (width - 1, height - 1))).all(axis=1)
+        if inside.sum() > 20:
+            rims.append(points[inside])
+    return [*rims, np.concatenate(rims)] if len(rims) > 1 else rims
+
+
+def _edge(blue: NDArray[np.uint8], pixels: Floats, out: Floats, width: int) -> tuple[Floats, Flags]:
+    """How far (n,) along ``out`` (n, 2) from pixels (n, 2) the cylinder ends, and whether it does there.
+
+    The cylinder is not blue at all, however it is lit, and what lies beyond is: the share of blue in a pixel is that of
+    what lies beyond. The step between the levels at both ends of a profile that has its area is the edge.
+    """
+    along = np.arange(-width, width + 1.0)
+    places = (pixels[:, None] + along[:, None] * out[:, None]).astype(np.float32)
+    profile = cv2.remap(blue, places[..., 0], places[..., 1], cv2.INTER_LINEAR).astype(float)
+    end = width // 2 + 1
+    inner, outer = profile[:, :end].mean(axis=1), profile[:, -end:].mean(axis=1)
+    height, breadth = blue.shape
+    inside = ((places >= 0) & (places <= (breadth - 1, height - 1))).all(axis=(1, 2))
+    good = inside & (outer > LEAST_BLUE) & (inner < 0.35 * outer)
+    step = np.where(good, outer - inner, 1.0)
+    return 0.5 * len(along) - ((profile - inner[:, None]) / step[:, None]).sum(axis=1), good
+
+
+def _trust(off: Floats, least: float) -> Floats:
+    """Tukey's weights (n,); the scale is that of the median, ``least`` at least."""
+    scale = 4.7 * max(1.48 * float(np.median(np.abs(off))), least)
+    weights: Floats = np.maximum(1.0 - (off / scale) ** 2, 0.0) ** 2
+    return weights
+
+
+def _stepped(body: Upright, slopes: Floats, off: Floats, trust: Floats) -> Upright | None:
+    """One step of Gauss and Newton; None where it leads nowhere."""
+    weighted = slopes * trust[:, None]
+    normal = weighted.T @ slopes
+    if np.linalg.cond(normal) > 1e8:
+        return None
+    dx, dy, dr = np.linalg.solve(normal, weighted.T @ off)
+    radius = body.radius + dr
+    if not RADII[0] <= radius <= RADII[1]:
+        return None
+    return replace(body, x=body.x + dx, y=body.y + dy, radius=radius)
