@@ -52,9 +52,7 @@ class PinholeCamera:
         x, y, z = turn / angle if angle > 0.0 else np.zeros(3)
         cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         rotation = np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross
-        return replace(
-            self, place=self.place + shift, turn=self.turn @ rotation, focal=self.focal * (1.0 + stretch)
-        )
+        return replace(self, place=self.place + shift, turn=self.turn @ rotation, focal=self.focal * (1.0 + stretch))
 
 
 def looking(place: Floats, at: Floats, fovy: float, size: tuple[int, int]) -> PinholeCamera:
@@ -71,7 +69,7 @@ class Calibration:
     """How far a calibration may be wrong, one standard deviation each.
 
     ``shift`` (m) along each axis of the world, ``turn`` (rad) about each axis of the camera, ``stretch`` of the focal
-    length (share), ``edge`` (px): by which all edges together are seen too far out or in.
+    length (share), ``edge`` (px): by which all edges of one side or rim together are seen too far out or in.
     """
 
     shift: float = 0.001

@@ -7,7 +7,7 @@ it is not found, and what is left of it tells less: the covariance comes from th
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,19 +17,22 @@ from palmar.worlds.cell.opencv import cv2
 from palmar.worlds.cell.upright_outline import Upright, off_outline, outline
 
 Floats = NDArray[np.float64]
+Counts = NDArray[np.int_]
 Flags = NDArray[np.bool_]
 Picture = NDArray[np.uint8]
 LEAST_RED, LEAST_SHARE = 50, 0.42
 """A pixel of the cylinder's colour: red (of 255), and by which share of it green is less."""
 LEAST_BLUE = 40
 """Of what lies beyond the cylinder's edge (of 255)."""
+BLUR, UNCLEAN = 1.6, 0.20
+"""Width (px) of a clean edge; by which share of its step a profile may differ from one: more, and another edge is near."""
 LEAST_AREA, MOST_BLOBS = 60.0, 3
 """Of a blob (px); how many, the largest first, are tried one by one."""
 SPACING, LEAST_SEEN, MOST_OFF = 2.0, 0.30, 0.6
 """Between points of the outline (px); the share of them that must be seen; by how much (px, rms) they may miss it."""
 RADII = (0.010, 0.060)
 """Other radii (m) are not what is looked for."""
-WIDE, NARROW = 6, 3
+WIDE, NARROW = 6, 4
 """Half widths (px) of the search for an edge: at first, and in the end."""
 
 
@@ -49,13 +52,26 @@ class Found:
 
 
 @dataclass(frozen=True, eq=False)
+class _Edges:
+    """At points of the outline: how they move out (n, 3) with x, y, radius (px/m); how far out (n,) the edge is (px);
+    trust (n,) in it; the piece (n,) it is on; and at which share of all points an edge was found.
+    """
+
+    moves: Floats
+    off: Floats
+    trust: Floats
+    pieces: Counts
+    seen: float
+
+
+@dataclass(frozen=True, eq=False)
 class CylinderFinder:
     """``camera`` as its calibration says it is; ``low``, ``high``: known heights (m) of the cylinder's rims."""
 
     camera: PinholeCamera
     low: float
     high: float
-    calibration: Calibration = Calibration()
+    calibration: Calibration = field(default_factory=Calibration)
 
     def find(self, picture: Picture) -> Found | None:
         """In a picture (height, width, 3) RGB; None where there is no cylinder, or too little of it to tell."""
@@ -83,18 +99,18 @@ class CylinderFinder:
             edges = self._edges(blue, body, width)
             if edges is None:
                 return None
-            moves, off, trust, _ = edges
-            stepped = _stepped(body, moves, off, trust)
+            stepped = _stepped(body, edges.moves, edges.off, edges.trust)
             if stepped is None:
                 return None
             body = stepped
-        edges = self._edges(blue, body, NARROW)
-        return None if edges is None else self._told(body, *edges)
+        last = self._edges(blue, body, NARROW)
+        return None if last is None else self._told(body, last)
 
-    def _edges(self, blue: NDArray[np.uint8], body: Upright, width: int) -> tuple[Floats, Floats, Floats, float] | None:
-        """How points of the outline move (n, 3) with x, y, radius; how far (n,) out (px) edges are; trust; share seen."""
+    def _edges(self, blue: NDArray[np.uint8], body: Upright, width: int) -> _Edges | None:
+        """Where edges are beside the outline of ``body``; None where too few are."""
         camera = self.camera
-        pixels = camera.pixels(outline(camera, body, SPACING))
+        points, pieces = outline(camera, body, SPACING)
+        pixels = camera.pixels(points)
         along = np.roll(pixels, -1, axis=0) - np.roll(pixels, 1, axis=0)
         out = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.maximum(np.linalg.norm(along, axis=1), 1e-9)[:, None]
         out *= np.sign(((pixels - pixels.mean(axis=0)) * out).sum())
@@ -105,15 +121,20 @@ class CylinderFinder:
         more, slopes = off_outline(camera, body, pixels + 0.25 * out)
         less, _ = off_outline(camera, body, pixels - 0.25 * out)
         moves = -slopes / np.maximum(2.0 * (more - less), 1e-6)[:, None]
-        return moves, off, _trust(off - np.median(off) if width == WIDE else off, 0.05), float(good.mean())
+        trust = _trust(off - np.median(off) if width == WIDE else off, 0.05)
+        return _Edges(moves, off, trust, pieces[good], float(good.mean()))
 
-    def _told(self, body: Upright, moves: Floats, off: Floats, trust: Floats, seen: float) -> Found | None:
-        left = float(np.sqrt((trust * off**2).sum() / max(trust.sum() - 3.0, 1.0)))
-        if left > MOST_OFF or seen * (trust > 0.0).mean() < LEAST_SEEN:
+    def _told(self, body: Upright, edges: _Edges) -> Found | None:
+        trust = edges.trust
+        left = float(np.sqrt((trust * edges.off**2).sum() / max(trust.sum() - 3.0, 1.0)))
+        seen = edges.seen * float((trust > 0.0).mean())
+        if left > MOST_OFF or seen < LEAST_SEEN:
             return None
-        inverse = np.linalg.inv((moves * trust[:, None]).T @ moves)
-        common = self.calibration.edge * inverse @ (moves * trust[:, None]).sum(axis=0)
-        return Found(body, left**2 * inverse + np.outer(common, common), seen, left)
+        weighted = edges.moves * trust[:, None]
+        inverse = np.linalg.inv(weighted.T @ edges.moves)
+        common = np.stack([weighted[edges.pieces == piece].sum(axis=0) for piece in range(4)])
+        spread = common.T @ common * self.calibration.edge**2 + left**2 * weighted.T @ weighted
+        return Found(body, inverse @ spread @ inverse, seen, left)
 
 
 def _candidates(picture: Picture) -> list[Floats]:
@@ -122,7 +143,9 @@ def _candidates(picture: Picture) -> list[Floats]:
     redder = cv2.subtract(red, picture[..., 1])
     mask = ((red >= LEAST_RED) & (redder > LEAST_SHARE * red)).astype(np.uint8)
     contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    large = sorted((each for each in contours if cv2.contourArea(each) >= LEAST_AREA), key=cv2.contourArea, reverse=True)
+    large = sorted(
+        (each for each in contours if cv2.contourArea(each) >= LEAST_AREA), key=cv2.contourArea, reverse=True
+    )
     height, width = mask.shape
     rims = []
     for each in large[:MOST_BLOBS]:
@@ -147,8 +170,10 @@ def _edge(blue: NDArray[np.uint8], pixels: Floats, out: Floats, width: int) -> t
     height, breadth = blue.shape
     inside = ((places >= 0) & (places <= (breadth - 1, height - 1))).all(axis=(1, 2))
     good = inside & (outer > LEAST_BLUE) & (inner < 0.35 * outer)
-    step = np.where(good, outer - inner, 1.0)
-    return 0.5 * len(along) - ((profile - inner[:, None]) / step[:, None]).sum(axis=1), good
+    share = (profile - inner[:, None]) / np.where(good, outer - inner, 1.0)[:, None]
+    off = 0.5 * len(along) - share.sum(axis=1)
+    clean = np.clip((along - off[:, None]) / BLUR + 0.5, 0.0, 1.0)
+    return off, good & (np.abs(share - clean).max(axis=1) < UNCLEAN)
 
 
 def _trust(off: Floats, least: float) -> Floats:

@@ -33,9 +33,15 @@ class CameraSettings:
     bias: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        if self.rate <= 0.0 or min(self.latency, self.jitter, self.noise, self.grain) < 0.0 or not 0.0 <= self.dropped < 1.0:
+        if (
+            self.rate <= 0.0
+            or min(self.latency, self.jitter, self.noise, self.grain) < 0.0
+            or not 0.0 <= self.dropped < 1.0
+        ):
             raise InputError(
-                "camera", None, "the rate must be positive, latency, jitter, noise and grain not negative, dropped in 0 to 1"
+                "camera",
+                None,
+                "the rate must be positive, latency, jitter, noise and grain not negative, dropped in 0 to 1",
             )
 
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from palmar.worlds.cell.camera_model import PinholeCamera
 
 Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
+Counts = NDArray[np.int_]
 
 
 @dataclass(frozen=True)
@@ -30,8 +30,10 @@ class Upright:
     high: float
 
 
-def outline(camera: PinholeCamera, body: Upright, spacing: float) -> Floats:
-    """Points (n, 3) in the world along the outline, about ``spacing`` (px) apart: upper rim, side, lower rim, side.
+def outline(camera: PinholeCamera, body: Upright, spacing: float) -> tuple[Floats, Counts]:
+    """Points (n, 3) in the world along the outline, ``spacing`` (px) apart, and the piece (n,) that each is on.
+
+    The pieces are 0, upper rim; 1, a side; 2, lower rim; 3, the other side.
 
     The camera is outside of the circle. Seen from above a rim's plane its far half bounds the picture of an upper rim
     and its near half that of a lower one; from below it is the other way round.
@@ -42,20 +44,20 @@ def outline(camera: PinholeCamera, body: Upright, spacing: float) -> Floats:
     upper = (toward + half, toward + 2.0 * pi - half) if above else (toward + half, toward - half)
     lower = (toward - half, toward + half) if over else (toward + 2.0 * pi - half, toward + half)
     corners = [(upper[0], body.high), (upper[1], body.high), (lower[0], body.low), (lower[1], body.low)]
-    pieces = []
+    points: list[Floats] = []
+    pieces: list[Counts] = []
     for one, other in zip(corners, (*corners[1:], corners[0]), strict=True):
         share = np.linspace(0.0, 1.0, 9)
         if one[1] == other[1]:
             angle, height = one[0] + share * (other[0] - one[0]), np.full(9, one[1])
         else:
             angle, height = np.full(9, one[0]), one[1] + share * (other[1] - one[1])
-        pieces.append((angle, height, _length(camera, _on(body, angle, height))))
-    points = []
-    for angle, height, length in pieces:
-        share = (np.arange(max(round(length[-1] / spacing), 1)) + 0.5) * spacing
-        share = np.minimum(share, length[-1])
-        points.append(_on(body, np.interp(share, length, angle), np.interp(share, length, height)))
-    return np.concatenate(points)
+        length = _length(camera, _on(body, angle, height))
+        at = (np.arange(max(round(length[-1] / spacing), 1)) + 0.5) * length[-1]
+        at /= len(at)
+        points.append(_on(body, np.interp(at, length, angle), np.interp(at, length, height)))
+        pieces.append(np.full(len(at), len(pieces)))
+    return np.concatenate(points), np.concatenate(pieces)
 
 
 def _on(body: Upright, angle: Floats, height: Floats) -> Floats:

@@ -64,7 +64,8 @@ class RenderedCamera:
         clean = self._renderer.picture(self._data)
         start = int(self._random.integers(BANK - clean.size))
         noise = self._noise[start : start + clean.size].reshape(clean.shape)
-        return np.clip(clean + noise, 0, 255).astype(np.uint8)
+        grainy: Picture = np.clip(clean + noise, 0, 255).astype(np.uint8)
+        return grainy
 
     def find(self, qpos: Floats) -> Found | None:
         """What is found in a picture of joint state ``qpos``."""

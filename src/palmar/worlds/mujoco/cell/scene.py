@@ -7,7 +7,7 @@ and tilts; the thread at its end is taut or slack, it only pulls. Its counterwei
 
 from __future__ import annotations
 
-from math import atan2, cos, degrees, sin
+from math import atan2, cos, degrees, pi, sin
 
 from palmar.models.cell_task import TABLE_TOP, CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
@@ -22,6 +22,8 @@ PADDING = 0.015
 """Time (s) in which the palm's rubber gives way: it softens what the moving arm does to a standing cylinder."""
 EYE_DISTANCE, EYE_DOWN, EYE_FIELD = 0.70, 0.55, 0.07
 """Of the camera from the cylinder's place (m); how far down it looks (rad); what it sees around the cylinder (m)."""
+EYE_TURN = {TaskKind.TABLE: 0.5 * pi, TaskKind.FLOATING: 0.6, TaskKind.ALIGN: 0.6}
+"""Where it stands about the cylinder, from x toward y (rad)."""
 OBJECT, TABLE, HAND = 1, 2, 4
 """Collision bits."""
 
@@ -67,15 +69,17 @@ def _table() -> str:
 def _eye(task: CellTask) -> str:
     """The camera of vision, where neither the open hand nor the arm comes between: it looks down from aside.
 
-    A hand from above has the gap between two fingers toward y; one that comes along x is behind the cylinder.
+    A hand from above has the gap between two fingers toward y; one that comes along x is behind the cylinder, and so is
+    the pedestal unless the camera is turned away from it.
     """
-    x, y, z = task.place
-    above = task.kind is TaskKind.TABLE
-    away, up = EYE_DISTANCE * cos(EYE_DOWN), EYE_DISTANCE * sin(EYE_DOWN)
-    place = f"{x} {y + away} {z + up}" if above else f"{x + away} {y} {z + up}"
-    right, top = ("-1 0 0", f"0 {-sin(EYE_DOWN)}") if above else ("0 1 0", f"{-sin(EYE_DOWN)} 0")
-    fovy = 2.0 * degrees(atan2(EYE_FIELD + 0.5 * task.cylinder.height, EYE_DISTANCE))
-    return f'<camera name="eye" pos="{place}" xyaxes="{right} {top} {cos(EYE_DOWN)}" fovy="{fovy}"/>'
+    turn = EYE_TURN[task.kind]
+    cosine, sine, out, up = cos(turn), sin(turn), cos(EYE_DOWN), sin(EYE_DOWN)
+    x, y, z = (
+        there + EYE_DISTANCE * way for there, way in zip(task.place, (out * cosine, out * sine, up), strict=True)
+    )
+    fovy = 2.0 * atan2(EYE_FIELD + 0.5 * task.cylinder.height, EYE_DISTANCE)
+    return f"""<camera name="eye" pos="{x} {y} {z}" fovy="{degrees(fovy)}"
+    xyaxes="{-sine} {cosine} 0 {-up * cosine} {-up * sine} {out}"/>"""
 
 
 def _cylinder(task: CellTask) -> str:
