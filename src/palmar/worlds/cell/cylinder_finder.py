@@ -8,6 +8,7 @@ it is not found, and what is left of it tells less: the covariance comes from th
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,12 +29,16 @@ BLUR, UNCLEAN = 1.6, 0.20
 """Width (px) of a clean edge; by which share of its step a profile may differ from one: more, and another edge is near."""
 LEAST_AREA, MOST_BLOBS = 60.0, 3
 """Of a blob (px); how many, the largest first, are tried one by one."""
+LIFT = 1e-4
+"""By which the body is raised to see what that does (m)."""
 SPACING, LEAST_SEEN, MOST_OFF = 2.0, 0.30, 0.6
 """Between points of the outline (px); the share of them that must be seen; by how much (px, rms) they may miss it."""
 RADII = (0.010, 0.060)
 """Other radii (m) are not what is looked for."""
-WIDE, NARROW = 6, 4
-"""Half widths (px) of the search for an edge: at first, and in the end."""
+REACH = 0.08
+"""It is looked for so near (m) to where it is expected: lifted by the hand it seems nearer to the camera and larger."""
+GUESSES, WIDTHS = 12, (6, 4, 4)
+"""Steps toward a guess, at most; half widths (px) of the searches for the edge."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,23 +59,30 @@ class Found:
 @dataclass(frozen=True, eq=False)
 class _Edges:
     """At points of the outline: how they move out (n, 3) with x, y, radius (px/m); how far out (n,) the edge is (px);
-    trust (n,) in it; the piece (n,) it is on; and at which share of all points an edge was found.
+    trust (n,) in it; the piece (n,) it is on; how far out (n,) it goes if all is lifted (px/m); at which share of all
+    points an edge was found.
     """
 
     moves: Floats
     off: Floats
     trust: Floats
     pieces: Counts
+    rise: Floats
     seen: float
 
 
 @dataclass(frozen=True, eq=False)
 class CylinderFinder:
-    """``camera`` as its calibration says it is; ``low``, ``high``: known heights (m) of the cylinder's rims."""
+    """``camera`` as its calibration says it is; ``low``, ``high``: known heights (m) of the cylinder's rims.
+
+    ``bob`` (m): standard deviation of how much higher or lower it is; ``near``: where it is looked for, within REACH.
+    """
 
     camera: PinholeCamera
     low: float
     high: float
+    near: tuple[float, float]
+    bob: float = 0.0
     calibration: Calibration = field(default_factory=Calibration)
 
     def find(self, picture: Picture) -> Found | None:
@@ -86,25 +98,24 @@ class CylinderFinder:
         ray = self.camera.rays(points.mean(axis=0))
         x, y, _ = self.camera.place + ray * (0.5 * (self.low + self.high) - self.camera.place[2]) / ray[2]
         body: Upright | None = Upright(x, y, 0.5 * sum(RADII), self.low, self.high)
-        for _ in range(12):
+        for _ in range(GUESSES):
             assert body is not None
             off, slopes = off_outline(self.camera, body, points)
-            body = _stepped(body, slopes, -off, _trust(off, 1e-3))
-            if body is None:
-                return None
+            before, body = body, _stepped(body, slopes, -off, _trust(off, 1e-3))
+            if body is None or hypot(body.x - before.x, body.y - before.y, body.radius - before.radius) < 1e-4:
+                return body
         return body
 
     def _fit(self, blue: NDArray[np.uint8], body: Upright) -> Found | None:
-        for width in (WIDE, WIDE, NARROW, NARROW):
+        found = None
+        for width in WIDTHS:
             edges = self._edges(blue, body, width)
-            if edges is None:
+            stepped = None if edges is None else _stepped(body, edges.moves, edges.off, edges.trust)
+            if edges is None or stepped is None:
                 return None
-            stepped = _stepped(body, edges.moves, edges.off, edges.trust)
-            if stepped is None:
-                return None
-            body = stepped
-        last = self._edges(blue, body, NARROW)
-        return None if last is None else self._told(body, last)
+            step = np.array([stepped.x - body.x, stepped.y - body.y, stepped.radius - body.radius])
+            found, body = self._told(stepped, replace(edges, off=edges.off - edges.moves @ step)), stepped
+        return found
 
     def _edges(self, blue: NDArray[np.uint8], body: Upright, width: int) -> _Edges | None:
         """Where edges are beside the outline of ``body``; None where too few are."""
@@ -121,19 +132,23 @@ class CylinderFinder:
         more, slopes = off_outline(camera, body, pixels + 0.25 * out)
         less, _ = off_outline(camera, body, pixels - 0.25 * out)
         moves = -slopes / np.maximum(2.0 * (more - less), 1e-6)[:, None]
-        trust = _trust(off - np.median(off) if width == WIDE else off, 0.05)
-        return _Edges(moves, off, trust, pieces[good], float(good.mean()))
+        trust = _trust(off - np.median(off), 0.05)
+        rise = ((camera.pixels(points[good] + (0.0, 0.0, LIFT)) - pixels) * out).sum(axis=1) / LIFT
+        return _Edges(moves, off, trust, pieces[good], rise, float(good.mean()))
 
     def _told(self, body: Upright, edges: _Edges) -> Found | None:
         trust = edges.trust
         left = float(np.sqrt((trust * edges.off**2).sum() / max(trust.sum() - 3.0, 1.0)))
         seen = edges.seen * float((trust > 0.0).mean())
-        if left > MOST_OFF or seen < LEAST_SEEN:
+        away = hypot(body.x - self.near[0], body.y - self.near[1])
+        if left > MOST_OFF or seen < LEAST_SEEN or away > REACH:
             return None
         weighted = edges.moves * trust[:, None]
         inverse = np.linalg.inv(weighted.T @ edges.moves)
         common = np.stack([weighted[edges.pieces == piece].sum(axis=0) for piece in range(4)])
         spread = common.T @ common * self.calibration.edge**2 + left**2 * weighted.T @ weighted
+        lifted = self.bob * weighted.T @ edges.rise
+        spread += np.outer(lifted, lifted)
         return Found(body, inverse @ spread @ inverse, seen, left)
 
 

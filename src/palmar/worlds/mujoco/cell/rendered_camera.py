@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palmar.models.cell_messages import Sighting
-from palmar.models.cell_task import CellTask
+from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.camera_model import PinholeCamera
 from palmar.worlds.cell.cylinder_finder import CylinderFinder, Found, Picture
@@ -20,8 +20,10 @@ from palmar.worlds.mujoco.engine import mujoco
 Floats = NDArray[np.float64]
 SIZE = (240, 320)
 """Height and width of a frame (px)."""
-FACETS = 60
+FACETS, STACKS, SAMPLES = 60, 6, 4
 """Around a round shape: a cylinder of 28, MuJoCo's default, is 0.2 mm thinner than it should be."""
+BOB = {TaskKind.TABLE: 0.0, TaskKind.FLOATING: 3e-4, TaskKind.ALIGN: 0.0}
+"""How well the height (m) is known: on its thread the cylinder goes up and down a little."""
 BANK = 1 << 20
 """So many draws of noise are made once; each frame takes a stretch of them that begins anywhere."""
 
@@ -35,7 +37,8 @@ class RenderedCamera:
 
     def __init__(self, hand: SalisburyHand, task: CellTask, settings: CellSettings) -> None:
         self._model: Any = mujoco.MjModel.from_xml_string(cell_xml(hand, task))
-        self._model.vis.quality.numslices, self._model.vis.quality.numstacks = FACETS, FACETS // 2
+        self._model.vis.quality.numslices, self._model.vis.quality.numstacks = FACETS, STACKS
+        self._model.vis.quality.offsamples = SAMPLES
         self._data: Any = mujoco.MjData(self._model)
         self._renderer = Renderer(self._model, "eye", SIZE)
         random = np.random.default_rng([settings.seed, 1])
@@ -44,7 +47,7 @@ class RenderedCamera:
         low, high = (task.place[2] + sign * 0.5 * task.cylinder.height for sign in (-1.0, 1.0))
         shift = np.array([*settings.camera.bias, 0.0])
         self.true = self._pinhole()
-        self.finder = CylinderFinder(self.true.moved(shift, np.zeros(3)), low, high)
+        self.finder = CylinderFinder(self.true.moved(shift, np.zeros(3)), low, high, task.place[:2], BOB[task.kind])
 
     def _pinhole(self) -> PinholeCamera:
         """The scene's own; MuJoCo's camera looks along its minus z axis, its y up."""
