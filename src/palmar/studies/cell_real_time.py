@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
+from palmar.models.cell_messages import EyeKind
 from palmar.models.salisbury_hand import SalisburyHand
-from palmar.studies.cell_trials import CellReport, Trials
+from palmar.studies.cell_trials import CellReport, Trials, rendered
 from palmar.worlds.mujoco.cell.real_time import RealTimeTrial, run_in_real_time
 
 
@@ -21,4 +23,6 @@ def run_trials_in_real_time(trials: Trials, report: Callable[[int], None] | None
 
 def run_one_in_real_time(trials: Trials, k: int) -> RealTimeTrial:
     """Trial number ``k``."""
-    return run_in_real_time(SalisburyHand(), trials.task, trials.settings(k), trials.error)
+    hand, settings = SalisburyHand(), trials.settings(k)
+    looking = partial(rendered, hand, trials.task, settings) if trials.eye is EyeKind.CAMERA else None
+    return run_in_real_time(hand, trials.task, settings, trials.error, looking)

@@ -22,6 +22,7 @@ from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, SalisburyHan
 from palmar.worlds.cell.alter_mode import AlterMode
 from palmar.worlds.cell.faults import FaultKind
 from palmar.worlds.cell.pose_camera import PoseCamera
+from palmar.worlds.cell.timed_camera import Sight, TimedCamera
 from palmar.worlds.mujoco.cell.finger_sense import FingerSense
 from palmar.worlds.mujoco.cell.scene import STEP, cell_xml
 from palmar.worlds.mujoco.cell.settings import (
@@ -41,13 +42,17 @@ ELBOW_UP = np.radians([18.0, 71.0, -202.0, 0.0, -49.0, -162.0])
 
 @dataclass
 class Cell:
-    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers; ``eye``: None, the simulated camera."""
+    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers.
+
+    ``eye``: None, a camera in lock-step; ``sight``: what it sees in a frame, None, the true pose with noise.
+    """
 
     hand: SalisburyHand
     task: CellTask
     settings: CellSettings
     pose: Floats
     eye: Eye | None = None
+    sight: Sight | None = None
     trace: list[tuple[float, Owner]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -65,7 +70,8 @@ class Cell:
         self.order = HandOrder(HandMode.SHAPE, (self.hand.open_curl,) * 3, curl)
         self.reflex = ReflexState((self.hand.open_curl,) * 3)
         self.wanted = curl.joints(np.array(self.reflex.set_points))
-        self.camera = PoseCamera(self.settings.camera, self._axis, self.random, self.settings.fault)
+        self.pose_camera = PoseCamera(self.settings.camera, self._axis, self.random)
+        self.camera = TimedCamera(self.settings.camera, self._frame, self.random, self.settings.fault)
         self.stopped: str | None = None
         self.sighting: Sighting | None = None
         self.touched, self.palm = [False] * 3, [False] * 2
@@ -95,6 +101,9 @@ class Cell:
     def _axis(self) -> tuple[float, float, float]:
         x, y, _ = self.data.xpos[self.object]
         return float(x), float(y), self.task.cylinder.radius
+
+    def _frame(self, now: float) -> Sighting | None:
+        return self.pose_camera.sight(now) if self.sight is None else self.sight(self.data.qpos, now)
 
     def seen(self) -> CellSeen:
         """What a behaviour is told now; touches since the last call are kept until it is."""

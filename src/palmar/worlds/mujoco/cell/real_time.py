@@ -19,9 +19,10 @@ from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.controller import control
 from palmar.worlds.cell.faults import Fault, FaultKind
 from palmar.worlds.cell.process import ONE_THREAD, environment
+from palmar.worlds.cell.timed_camera import Sight
 from palmar.worlds.cell.timing import Timing
 from palmar.worlds.cell.transport import free_ports
-from palmar.worlds.cell.vision import PoseSource, Source, watch
+from palmar.worlds.cell.vision import PoseSight, watch
 from palmar.worlds.mujoco.cell.plant import ASSEMBLY, run_plant
 from palmar.worlds.mujoco.cell.settings import CellSettings
 from palmar.worlds.mujoco.cell.trial import LONGEST, TrialResult, start_pose
@@ -46,11 +47,11 @@ def run_in_real_time(
     task: CellTask,
     settings: CellSettings,
     error: float = 0.0,
-    make_source: Callable[[], Source] | None = None,
+    make_sight: Callable[[], Sight] | None = None,
 ) -> RealTimeTrial:
-    """Carry out one trial; ``make_source``, called in vision's process, makes what looks: None, the true pose with noise."""
+    """Carry out one trial; ``make_sight``, called in vision's process, makes what looks: None, the true pose with noise."""
     began = monotonic()
-    crew = Crew(hand, task, settings, error, make_source or pose_source(task, settings))
+    crew = Crew(hand, task, settings, error, make_sight or pose_sight(task, settings))
     try:
         with environment(ONE_THREAD):
             crew.start()
@@ -68,9 +69,9 @@ def run_in_real_time(
         crew.bury()
 
 
-def pose_source(task: CellTask, settings: CellSettings) -> Callable[[], Source]:
+def pose_sight(task: CellTask, settings: CellSettings) -> Callable[[], Sight]:
     """Of the true pose, with the noise of the trial's camera."""
-    return partial(PoseSource, settings.camera, task.cylinder.radius, np.random.default_rng([settings.seed, 3]))
+    return partial(PoseSight, settings.camera, task.cylinder.radius, np.random.default_rng([settings.seed, 3]))
 
 
 def unfinished(outcome: str, wall: float, unsafe: tuple[str, ...] = ()) -> TrialResult:
@@ -94,7 +95,7 @@ class Crew:
         task: CellTask,
         settings: CellSettings,
         error: float,
-        make_source: Callable[[], Source],
+        make_sight: Callable[[], Sight],
     ) -> None:
         context, ports = get_context("spawn"), free_ports()  # forked from threads a process may wait forever
         self.ear: Connection
@@ -103,7 +104,7 @@ class Crew:
         jobs: dict[str, tuple[Callable[..., None], tuple[Any, ...]]] = {
             "plant": (run_plant, (hand, task, settings, ports, self.mouth)),
             "controller": (control, (hand, task, error, pose, fault, ports)),
-            "vision": (watch, (make_source, settings.camera, fault, settings.seed, ports)),
+            "vision": (watch, (make_sight, settings.camera, fault, settings.seed, ports)),
         }
         self.members: dict[str, BaseProcess] = {
             name: context.Process(target=target, args=words, name=f"palmar-{name}", daemon=True)

@@ -14,6 +14,7 @@ from palmar.behaviours.cell.tasks import programme_for
 from palmar.models.cell_messages import CellEnd, CellOrder, Eye, Sighting
 from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
+from palmar.worlds.cell.timed_camera import Sight
 from palmar.worlds.mujoco.cell.cell import Cell
 from palmar.worlds.mujoco.cell.judge import CREEP, TOPPLED, Judge
 from palmar.worlds.mujoco.cell.settings import CellSettings
@@ -75,10 +76,11 @@ def run_trial(
     error: float = 0.0,
     watch: Callable[[Cell], None] | None = None,
     eye: Eye | None = None,
+    sight: Sight | None = None,
 ) -> TrialResult:
-    """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``: None, the simulated camera."""
+    """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``, ``sight``: as the cell's."""
     began = perf_counter()
-    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye)
+    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye, sight)
     programme, judge = programme_for(hand, task, error, cell.pose), Judge(cell)
     end: CellEnd | None = None
     left, phases = int(AFTERWARDS / 0.028), [(0.0, programme.state.phase.value)]
