@@ -11,6 +11,7 @@ there is not run again: interrupt it as you like.
 from __future__ import annotations
 
 import json
+import os
 import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -23,6 +24,7 @@ from palmar.models.cell_task import TaskKind
 from palmar.studies.cell_real_time import run_one_in_real_time
 from palmar.studies.cell_trials import Trials
 from palmar.worlds.cell.faults import FaultKind
+from palmar.worlds.cell.process import ONE_THREAD
 from palmar.worlds.cell.timing import percentiles
 
 KINDS = [each for each in FaultKind if each is not FaultKind.NONE]
@@ -96,6 +98,7 @@ def timing_table(found: list[Run]) -> None:
 def main(words: list[str]) -> int:
     """Run what is missing, print the tables; status 1 if any run was unsafe."""
     runs, seed, jobs = (int(words[k]) if len(words) > k else value for k, value in enumerate((20, 1, 1)))
+    os.environ.update(ONE_THREAD)
     log = Path("build") / f"cell_faults_{seed}.jsonl"
     log.parent.mkdir(exist_ok=True)
     left, found = missing(log, runs)

@@ -17,7 +17,8 @@ Floats = NDArray[np.float64]
 class Timing:
     """Of one run. ``late``: how late (s) each servo tick began; ``replies``: how long (s) each reply took; ``slipped``:
     time (s) by which ticks were put off; ``in_line``: whether the system granted the servos a rank (SCHED_FIFO);
-    ``at_rest``: when (s) the cell came to rest after its end, None: never; ``fault_s``: when (s) the fault set in.
+    ``ended``, ``at_rest``: when (s) the cell ended, and came to rest (None: never); ``fault_s``: when (s) the fault set in,
+    None: not before the end.
     """
 
     simulated: float
@@ -30,6 +31,7 @@ class Timing:
     malformed: int
     outdated: int
     in_line: bool
+    ended: float
     sightings: Sightings = field(default_factory=Sightings)
     at_rest: float | None = None
     fault_s: float | None = None

@@ -58,7 +58,7 @@ class Plant:
         self.ended_at = 0.0
         self.at_rest: float | None = None
         self.approaches, self.sightings = 0, Sightings()
-        self.phases: list[tuple[float, str]] = [(0.0, "")]
+        self.phases: list[tuple[float, str]] = []
         self.delays: list[float] = []
         self.told_to_stop = False
         self.in_line = False
@@ -80,24 +80,23 @@ class Plant:
         while not self._over(pace.wait() - self.epoch):
             now = monotonic() - self.epoch
             if tick % TICKS == 0:
-                self._look(now)
+                self.look(now)
                 if self.end is None:
                     self._ask(requests, now)
             if tick % LIGHT_TICKS == 0:
                 light.send(Light(stamp_s=now, epoch_s=self.epoch, qpos=self._qpos()))
             answer = self.exchange.settle(self.replies.take(), monotonic())
             if answer is not None and self.end is None:
-                self._obey(answer, now)
+                self.obey(answer, now)
             self.cell.tick()
             if self.cell.stopped is not None and self.end is None:
+                self.cell.hold(self.cell.stopped)
                 self._finish(CellEnd.STOPPED, now)
             tick += 1
 
-    def start(self) -> float:
-        """The trial begins now; its zero on the monotonic clock (s)."""
-        self.epoch = monotonic()
-        self.pace = Pace(STEP, self.epoch)
-        return self.epoch
+    def begin(self, epoch: float) -> None:
+        """The trial's zero on the monotonic clock (s)."""
+        self.epoch, self.pace = epoch, Pace(STEP, epoch)
 
     def _over(self, now: float) -> bool:
         return now > LONGEST or (self.end is not None and now - self.ended_at > AFTERWARDS)
@@ -115,7 +114,7 @@ class Plant:
         number = self.exchange.ask(monotonic())
         requests.send(Request(number=number, seen=replace(seen, time=now, sighting=None)))
 
-    def _obey(self, answer: Answer, now: float) -> None:
+    def obey(self, answer: Answer, now: float) -> None:
         """Move by a reply; without one the arm holds for good."""
         if answer.delay < inf:
             self.delays.append(answer.delay)
@@ -127,7 +126,7 @@ class Plant:
         self.sightings = answer.reply.sightings
         check_sight(self.judge, order, self.before, self.eye.look(now), now)
         self.before, self.cell.order = order.palm_pose, order.hand
-        if order.why != self.phases[-1][1]:
+        if not self.phases or order.why != self.phases[-1][1]:
             self.phases.append((now, order.why))
         reachable = self.cell.answer(self.asked_at, answer.delay, order.palm_pose)
         if order.end is not None or not reachable:
@@ -136,7 +135,7 @@ class Plant:
     def _finish(self, end: CellEnd, now: float) -> None:
         self.end, self.ended_at = end, now
 
-    def _look(self, now: float) -> None:
+    def look(self, now: float) -> None:
         """Judge; after the end nothing may move any more."""
         self.judge.look()
         if self.end is None:
@@ -152,7 +151,7 @@ class Plant:
     def result(self) -> tuple[TrialResult, Timing]:
         """What came of it."""
         wall, cell = monotonic() - self.epoch, self.cell
-        result = result_of(cell, self.judge, self.end, self.approaches, self.phases[1:], wall)
+        result = result_of(cell, self.judge, self.end, self.approaches, self.phases, wall)
         timing = Timing(
             simulated=cell.time,
             wall=wall,
@@ -165,6 +164,7 @@ class Plant:
             outdated=self.exchange.outdated,
             in_line=self.in_line,
             sightings=self.sightings,
+            ended=self.ended_at,
             at_rest=self.at_rest,
         )
         return result, timing
@@ -185,7 +185,8 @@ def run_plant(
         if not plant.assemble(light):
             tell(supervisor, None)
             return
-        tell(supervisor, plant.start())
+        plant.begin(monotonic())
+        tell(supervisor, plant.epoch)
         plant.run(light, requests)
         tell(supervisor, plant.result())
 

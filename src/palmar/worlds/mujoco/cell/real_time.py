@@ -55,7 +55,7 @@ def run_in_real_time(
     try:
         with environment(ONE_THREAD):
             crew.start()
-        epoch = crew.hear(ASSEMBLY + GRACE)
+        epoch = crew.hear(ASSEMBLY + GRACE, all_alive=True)
         if not isinstance(epoch, float):
             return RealTimeTrial(unfinished("never started", monotonic() - began), None)
         killed = crew.let_fail(epoch, settings.fault)
@@ -81,9 +81,8 @@ def unfinished(outcome: str, wall: float, unsafe: tuple[str, ...] = ()) -> Trial
 
 def _set_in(fault: Fault, timing: Timing, killed: float | None) -> float | None:
     """When (s) a fault set in, if the trial had not ended before."""
-    if fault.kind in KILLED:
-        return killed
-    return fault.start if fault.kind is not FaultKind.NONE and fault.start < timing.wall else None
+    at = killed if fault.kind in KILLED else fault.start
+    return at if fault.kind is not FaultKind.NONE and at is not None and at < timing.ended else None
 
 
 class Crew:
@@ -118,9 +117,10 @@ class Crew:
             each.start()
         self.mouth.close()
 
-    def hear(self, seconds: float) -> Any:
-        """What the plant says next within so many seconds; None if nothing, or the plant is gone."""
-        if self.ear.poll(seconds):
+    def hear(self, seconds: float, all_alive: bool = False) -> Any:
+        """What the plant says next within so many seconds; None if nothing, or it is gone, or another where all must be."""
+        others = [each.sentinel for each in self.members.values() if all_alive and each is not self.plant]
+        if self.ear in wait([self.ear, *others], seconds):
             with suppress(EOFError):
                 return self.ear.recv()
         return None

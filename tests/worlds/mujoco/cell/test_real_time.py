@@ -1,0 +1,103 @@
+"""Three real processes: whatever dies, the cell stops safely, says so, and nobody is left behind.
+
+How a run ends must not depend on how busy the machine is: a reply that is late for that reason stops it in the same way.
+"""
+
+import multiprocessing
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+pytest.importorskip("mujoco", reason="needs the extra palmar[mujoco]")
+pytest.importorskip("zenoh", reason="needs the extra palmar[realtime]")
+
+from palmar.models.cell_messages import CellEnd
+from palmar.models.cell_task import TABLE_TASK
+from palmar.models.salisbury_hand import SalisburyHand
+from palmar.worlds.cell.exchange import Answer
+from palmar.worlds.cell.faults import Fault, FaultKind
+from palmar.worlds.mujoco.cell.plant import AFTERWARDS, Plant
+from palmar.worlds.mujoco.cell.real_time import run_in_real_time
+from palmar.worlds.mujoco.cell.settings import CellSettings
+
+HAND = SalisburyHand()
+WATCHER = """
+import sys
+from palmar.models.cell_task import TABLE_TASK
+from palmar.models.salisbury_hand import SalisburyHand
+from palmar.worlds.mujoco.cell.real_time import Crew, pose_sight
+from palmar.worlds.mujoco.cell.settings import CellSettings
+if __name__ == "__main__":
+    settings = CellSettings()
+    crew = Crew(SalisburyHand(), TABLE_TASK, settings, 0.0, pose_sight(TABLE_TASK, settings))
+    try:
+        crew.start()
+        print(crew.hear(60.0), flush=True)
+        crew.hear(60.0)
+    finally:
+        crew.bury()
+"""
+
+
+def test_a_killed_controller_leaves_an_arm_that_holds_and_a_cell_at_rest():
+    trial = run_in_real_time(HAND, TABLE_TASK, CellSettings(fault=Fault(FaultKind.CONTROLLER_KILLED, 0.6)))
+    result, timing = trial.result, trial.timing
+    assert (result.outcome, result.end, result.unsafe, result.missed) == ("stopped", "stopped", (), 1)
+    assert result.trace[-1][1] == "safe stop"
+    assert timing is not None
+    assert timing.at_rest is not None
+    assert result.seconds < 0.6 + 0.1 + AFTERWARDS
+    assert timing.asked == len(timing.replies) + 1
+    assert multiprocessing.active_children() == []
+
+
+def test_vision_that_does_not_start_is_reported_at_once_and_nothing_moves():
+    began = time.monotonic()
+    trial = run_in_real_time(HAND, TABLE_TASK, CellSettings(), make_sight=partial(int, "no camera"))
+    assert (trial.result.outcome, trial.result.unsafe, trial.timing) == ("never started", (), None)
+    assert time.monotonic() - began < 20.0
+    assert multiprocessing.active_children() == []
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_when_the_supervisor_goes_everyone_goes(how, tmp_path):
+    """Its processes share its standard output, which closes when the last of them has ended."""
+    script = tmp_path / "watcher.py"
+    script.write_text(WATCHER)
+    with subprocess.Popen([sys.executable, str(script)], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as watcher:
+        assert watcher.stdout is not None
+        assert float(watcher.stdout.readline()) > 0.0
+        time.sleep(0.2)
+        watcher.send_signal(how)
+        sent = time.monotonic()
+        watcher.communicate(timeout=20.0)
+    assert time.monotonic() - sent < 8.0
+
+
+def test_a_reply_that_never_came_holds_the_arm_at_once():
+    plant = Plant(HAND, TABLE_TASK, CellSettings())
+    plant.begin(0.0)
+    before = plant.cell.link.now.copy()
+    plant.obey(Answer(float("inf"), None), 0.020)
+    for _ in range(60):
+        plant.cell.tick()
+    assert (plant.end, plant.cell.link.missed) == (CellEnd.STOPPED, 1)
+    assert plant.cell.link.now == pytest.approx(before, abs=1e-12)
+
+
+def test_what_moves_after_the_end_is_unsafe():
+    plant = Plant(HAND, TABLE_TASK, CellSettings())
+    plant.begin(0.0)
+    plant.end, plant.ended_at = CellEnd.STOPPED, 0.0
+    plant.look(1.0)
+    assert plant.judge.faults == set()
+    plant.cell.order = replace(plant.cell.order, target=(1.0,) * 3)
+    for _ in range(60):
+        plant.cell.tick()
+    plant.look(1.06)
+    assert plant.judge.faults == {"moved after its end"}
