@@ -37,6 +37,8 @@ def test_without_fresh_sightings_the_arm_stands_and_then_gives_up(task):
         sighting = Sighting(time, 0.5 + 1e-6 * time, 0.0, 0.03, 1e-3) if time < 1.2 else None
         before = programme.state.path.place
         order = programme.step(replace(SEEN, time=time, sighting=sighting))
+        standing = time > 1.2 + OLDEST
+        assert not standing or programme.state.path.speed == 0.0
         moved.append((time, float(np.abs(order.palm_pose[:3, 3] - before).max()) > 0.0))
         time, ended = time + 0.028, order.end
     assert ended is CellEnd.NO_FRESH_SIGHTING

@@ -52,6 +52,7 @@ def changed(path: str, value: object) -> str:
         ("order.palm_pose", (2.0 * np.eye(4)).tolist()),
         ("order.palm_pose", np.diag([1.0, 1.0, -1.0, 1.0]).tolist()),
         ("order.palm_pose", np.eye(3).tolist()),
+        ("order.palm_pose", [[1, 0, 0, float("nan")], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
         ("order.palm_pose", "here"),
         ("order.palm_pose", [[1, 0, 0, 1e3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
         ("order.hand.rate", float("nan")),
@@ -75,6 +76,12 @@ def test_what_no_behaviour_says_is_refused(path, value):
 def test_what_no_camera_sees_is_refused(seen):
     with pytest.raises(ValidationError):
         Frame(number=0, sighting=Sighting(*seen))
+
+
+def test_times_are_finite():
+    frame = Frame(number=3, sighting=Sighting(1.5, 0.5, 0.1, 0.03, 1e-3)).model_dump_json()
+    with pytest.raises(ValidationError, match="finite"):
+        Frame.model_validate_json(frame.replace("1.5", "NaN"))
 
 
 def test_light_has_a_whole_scene():

@@ -90,6 +90,21 @@ def test_a_reply_that_never_came_holds_the_arm_at_once():
     assert plant.cell.link.now == pytest.approx(before, abs=1e-12)
 
 
+class Nobody:
+    """Who hears no request."""
+
+    def send(self, message: object) -> None:
+        raise AssertionError("asked although nobody is watching")
+
+
+def test_a_plant_that_nobody_watches_stops_by_itself(monkeypatch):
+    monkeypatch.setattr("palmar.worlds.mujoco.cell.plant.orphaned", lambda: True)
+    plant = Plant(HAND, TABLE_TASK, CellSettings())
+    plant.begin(0.0)
+    plant.ask(Nobody(), 0.028)
+    assert (plant.end, plant.cell.stopped) == (CellEnd.STOPPED, "nobody is watching")
+
+
 def test_what_moves_after_the_end_is_unsafe():
     plant = Plant(HAND, TABLE_TASK, CellSettings())
     plant.begin(0.0)

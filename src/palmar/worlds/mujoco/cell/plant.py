@@ -82,7 +82,7 @@ class Plant:
             if tick % TICKS == 0:
                 self.look(now)
                 if self.end is None:
-                    self._ask(requests, now)
+                    self.ask(requests, now)
             if tick % LIGHT_TICKS == 0:
                 light.send(Light(stamp_s=now, epoch_s=self.epoch, qpos=self._qpos()))
             answer = self.exchange.settle(self.replies.take(), monotonic())
@@ -104,7 +104,8 @@ class Plant:
     def _qpos(self) -> tuple[float, ...]:
         return tuple(self.cell.data.qpos.tolist())
 
-    def _ask(self, requests: Sender[Request], now: float) -> None:
+    def ask(self, requests: Sender[Request], now: float) -> None:
+        """For a set-point, unless nobody is there any more to stop the cell, or it is to stop."""
         if orphaned() or self.told_to_stop:
             self.cell.hold("told to stop" if self.told_to_stop else "nobody is watching")
             self._finish(CellEnd.STOPPED, now)
