@@ -29,9 +29,9 @@ BANK = 1 << 20
 
 
 class RenderedCamera:
-    """With a copy of the scene of its own, so that it can work in a process of its own.
+    """With a copy of the scene of its own, so that it can work in a process of its own; ``rest`` (nq,): its state as built.
 
-    ``rest`` (nq,): the scene's joint state as it is built. Where it believes to be is off by ``settings.camera.bias``: its calibration error. Raises NotCoveredError where nothing
+    Where it believes to be is off by ``settings.camera.bias``: its calibration error. Raises NotCoveredError where nothing
     can be rendered, or OpenCV is missing.
     """
 
