@@ -1,4 +1,4 @@
-"""A calibrated pinhole camera, and how far its calibration may be wrong.
+"""A pinhole camera.
 
 Camera frame: x right, y down, z ahead. A point X (m) there is seen at the pixel c + f (X / Z, Y / Z); pixel centres have
 whole coordinates, from the upper left. Lenses do not distort.
@@ -11,8 +11,6 @@ from math import radians, tan
 
 import numpy as np
 from numpy.typing import NDArray
-
-from palmar.errors import InputError
 
 Floats = NDArray[np.float64]
 
@@ -62,26 +60,3 @@ def looking(place: Floats, at: Floats, fovy: float, size: tuple[int, int]) -> Pi
     right /= np.linalg.norm(right)
     turn = np.stack([right, np.cross(ahead, right), ahead], axis=1)
     return PinholeCamera(place, turn, 0.5 * size[1] / tan(0.5 * radians(fovy)), size)
-
-
-@dataclass(frozen=True)
-class Calibration:
-    """How far a calibration may be wrong, one standard deviation each.
-
-    ``shift`` (m) along each axis of the world, ``turn`` (rad) about each axis of the camera, ``stretch`` of the focal
-    length (share), ``edge`` (px): by which all edges of one side or rim together are seen too far out or in.
-    """
-
-    shift: float = 0.001
-    turn: float = 0.001
-    stretch: float = 0.001
-    edge: float = 0.05
-
-    def __post_init__(self) -> None:
-        if min(self.shift, self.turn, self.stretch, self.edge) < 0.0:
-            raise InputError("calibration", None, "its standard deviations must not be negative")
-
-    def drawn(self, camera: PinholeCamera, random: np.random.Generator) -> PinholeCamera:
-        """A camera as such a calibration may take it to be."""
-        draws = random.standard_normal(7)
-        return camera.moved(self.shift * draws[:3], self.turn * draws[3:6], self.stretch * float(draws[6]))

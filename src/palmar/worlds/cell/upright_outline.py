@@ -30,13 +30,39 @@ class Upright:
     high: float
 
 
-def outline(camera: PinholeCamera, body: Upright, spacing: float) -> tuple[Floats, Counts]:
-    """Points (n, 3) in the world along the outline, ``spacing`` (px) apart, and the piece (n,) that each is on.
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """Points (n, 3) in the world, the pixels (n, 2) at which they are seen, unit normals (n, 2) out of the body's picture,
+    how far (n, 3) out each moves with x, y, radius (px/m), and the piece (n,) it is on.
 
-    The pieces are 0, upper rim; 1, a side; 2, lower rim; 3, the other side.
+    Pieces are 0, upper rim; 1, a side; 2, lower rim; 3, the other side.
+    """
 
-    The camera is outside of the circle. Seen from above a rim's plane its far half bounds the picture of an upper rim
-    and its near half that of a lower one; from below it is the other way round.
+    points: Floats
+    pixels: Floats
+    out: Floats
+    moves: Floats
+    pieces: Counts
+
+
+def outline(camera: PinholeCamera, body: Upright, spacing: float) -> Outline:
+    """About ``spacing`` (px) between its points; the camera is outside of the circle.
+
+    Along it e(u; p) = 0 for the pixel u and p = (x, y, radius), so that u goes out by -(de/dp) / (de/du) dp.
+    """
+    points, pieces = _points(camera, body, spacing)
+    pixels = camera.pixels(points)
+    along = np.roll(pixels, -1, axis=0) - np.roll(pixels, 1, axis=0)
+    out = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.maximum(np.linalg.norm(along, axis=1), 1e-9)[:, None]
+    out *= np.sign(((pixels - pixels.mean(axis=0)) * out).sum())
+    more, slopes = off_outline(camera, body, pixels + 0.25 * out)
+    less, _ = off_outline(camera, body, pixels - 0.25 * out)
+    return Outline(points, pixels, out, -slopes / np.maximum(2.0 * (more - less), 1e-6)[:, None], pieces)
+
+
+def _points(camera: PinholeCamera, body: Upright, spacing: float) -> tuple[Floats, Counts]:
+    """Seen from above a rim's plane its far half bounds the picture of an upper rim, its near half that of a lower one;
+    from below it is the other way round.
     """
     east, north = camera.place[0] - body.x, camera.place[1] - body.y
     toward, half = atan2(north, east), acos(min(body.radius / hypot(east, north), 1.0))

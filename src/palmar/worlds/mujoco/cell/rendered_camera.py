@@ -29,7 +29,7 @@ BANK = 1 << 20
 
 
 class RenderedCamera:
-    """With a copy of the scene of its own, so that it can work in a process of its own.
+    """With a copy of the scene of its own, so that it can work in a process of its own; ``rest`` (nq,): its state as built.
 
     Where it believes to be is off by ``settings.camera.bias``: its calibration error. Raises NotCoveredError where nothing
     can be rendered, or OpenCV is missing.
@@ -40,6 +40,7 @@ class RenderedCamera:
         self._model.vis.quality.numslices, self._model.vis.quality.numstacks = FACETS, STACKS
         self._model.vis.quality.offsamples = SAMPLES
         self._data: Any = mujoco.MjData(self._model)
+        self.rest: Floats = self._data.qpos.copy()
         self._renderer = Renderer(self._model, "eye", SIZE)
         random = np.random.default_rng([settings.seed, 1])
         self._noise = (settings.camera.grain * random.standard_normal(BANK, np.float32)).round().astype(np.int16)

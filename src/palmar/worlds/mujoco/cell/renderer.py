@@ -49,7 +49,10 @@ class Renderer:
         height, width = size
         model.vis.global_.offwidth, model.vis.global_.offheight = width, height
         surface().make_current()
-        self._drawer: Any = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100)
+        try:
+            self._drawer: Any = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100)
+        except mujoco.FatalError as error:
+            raise NotCoveredError(f"nothing can be rendered: MuJoCo says {error}; {HELP}") from None
         self._model, self._scene = model, mujoco.MjvScene(model, MOST_SHAPES)
         self._options, self._view = mujoco.MjvOption(), mujoco.MjvCamera()
         self._view.type, self._view.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, model.camera(camera).id
