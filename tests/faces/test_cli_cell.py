@@ -35,6 +35,20 @@ def test_without_a_way_to_render_the_camera_is_replaced_and_that_is_said(palmar,
     assert answer.err == f"palmar: {answer.record['eye_note']}\n"
 
 
+def test_in_real_time_the_record_tells_how_times_were_kept(palmar):
+    pytest.importorskip("zenoh", reason="needs the extra palmar[realtime]")
+    words = ("--trials", "1", "--seed", "35", "--fault", "controller-killed", "--real-time", "--json")
+    record = palmar("cell", "run", "floating", *words).record
+    assert (record["trials"], record["success"], record["unsafe"], record["failures"]) == (1, 0, 0, {"stopped": 1})
+    assert (record["real_time"], record["missed_deadlines"], record["late_replies"]) == (True, 1, 1)
+    assert 0.0 < record["real_time_factor"] <= 1.0
+    for name in ("jitter_s", "reply_s"):
+        assert set(record[name]) == {"median", "p95", "p99", "max"}
+    assert record["jitter_s"]["median"] <= record["jitter_s"]["p95"] <= record["jitter_s"]["max"]
+    assert set(record["sightings"]) == {"received", "stale", "dropped", "malformed"}
+    assert record["timings"][0]["at_rest_s"] < 1.0
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -42,6 +56,7 @@ def test_without_a_way_to_render_the_camera_is_replaced_and_that_is_said(palmar,
         (("table", "--seed", "-1"), "--seed = -1: must not be negative"),
         (("table", "--error-mm", "-3"), "--error-mm"),
         (("table", "--fault", "gremlins"), "must be one of none, camera-killed"),
+        (("table", "--view", "film.gif", "--real-time"), "films trials in lock-step; leave out --real-time"),
         (("table", "--view", "film.avi"), "the name must end in .gif or .mp4"),
         (("table", "--eye", "third"), "third"),
         (("moon",), "moon"),
