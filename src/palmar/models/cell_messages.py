@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
+from math import inf
 from typing import Protocol
 
 import numpy as np
@@ -58,6 +59,7 @@ class HandOrder:
     """To the reflex layer: mode, the shape of the curls, target curls (rad), rate (rad/s), grip torque (N m) of joint 2.
 
     ``close_on_palm``: the palm reflex is armed; any palm bit closes the hand at once, without asking the behaviour.
+    ``soft_from`` (rad): from this curl on a finger may meet the object and closes no faster than ``soft_rate`` (rad/s).
     """
 
     mode: HandMode
@@ -66,6 +68,8 @@ class HandOrder:
     rate: float = 1.5
     grip: float = 0.6
     close_on_palm: bool = False
+    soft_from: float = inf
+    soft_rate: float = 1.0
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,16 +20,18 @@ from palmar.behaviours.cell.arm_path import PERIOD, ArmPath, halt, toward
 from palmar.behaviours.cell.palm_alignment import aligned
 from palmar.behaviours.cell.sightings import Seen
 from palmar.behaviours.cell.table_pick import HOLD, LIFT, PATIENCE, lost
+from palmar.mechanics.arm.salisbury_finger import meeting_curl
 from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandMode, HandOrder
 from palmar.models.salisbury_hand import CYLINDRIC, SalisburyHand
 
 Floats = NDArray[np.float64]
 WATCHED = 0.8
 """How long (s) the rest position is watched before the arm moves."""
-STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.15
-"""Palm to the axis at the start of the drive; how far past the rest position it goes; how far it carries away (m)."""
+STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.18
+"""Palm to the axis at the start of the drive; how far past the rest position it goes; how far off it is at the end (m)."""
 GENTLE, TURNING, TURNED = 0.02, 0.15, 5.0
 """With alignment: speed of the drive (m/s), rate of turning (rad/s), and the longest time (s) for it."""
+UP = np.array([0.0, 0.0, 1.0])
 CLOSING_TIME = 1.5
 """Fingers that have not arrived after this (s) do not."""
 
@@ -57,6 +60,7 @@ class Catching:
     rest: tuple[float, float] = (0.0, 0.0)
     gripped_at: tuple[float, float, float] | None = None
     away: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    soft_from: float = inf
     end: CellEnd | None = None
     approaches: int = 1
 
@@ -70,6 +74,8 @@ class FloatingCatch:
     fast: float = 0.15
     drive: float = 0.12
     closing_rate: float = 4.0
+    soft_rate: float = 1.0
+    clearance: float = 0.010
     grip: float = 0.5
     align: bool = False
 
@@ -93,7 +99,16 @@ class FloatingCatch:
         closing = state.phase in (Phase.CLOSING, Phase.STOP, Phase.CARRY, Phase.HOLD)
         mode = HandMode.CLOSE if closing else HandMode.SHAPE
         armed = state.phase is Phase.DRIVE and not self.align
-        return HandOrder(mode, (self.hand.open_curl,) * 3, CYLINDRIC, self.closing_rate, self.grip, armed)
+        return HandOrder(
+            mode,
+            (CYLINDRIC.opened,) * 3,
+            CYLINDRIC,
+            self.closing_rate,
+            self.grip,
+            armed,
+            state.soft_from,
+            self.soft_rate,
+        )
 
     def _goal(self, state: Catching, distance: float) -> Floats:
         """Where (m) the palm is ``distance`` (m) before the axis, the axis across the middle of the palm."""
@@ -114,7 +129,10 @@ class FloatingCatch:
         if seen.time - state.since < WATCHED:
             return state
         blind = self._blind(state, seen)
-        return blind or replace(state, phase=Phase.LINE_UP, since=seen.time, rest=state.seen.place)
+        if blind is not None:
+            return blind
+        soft_from = meeting_curl(self.hand, CYLINDRIC, state.seen.radius, self.clearance)
+        return replace(state, phase=Phase.LINE_UP, since=seen.time, rest=state.seen.place, soft_from=soft_from)
 
     def _line_up(self, state: Catching, seen: CellSeen) -> Catching:
         blind = self._blind(state, seen)
@@ -167,8 +185,7 @@ class FloatingCatch:
             return state
         if not seen.gripped:
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
-        way = np.array([0.0, 0.0, LIFT]) if self.align else -AWAY * state.path.pose[:3, 2]
-        away = state.path.place + way
+        away = state.path.place + LIFT * UP if self.align else self._goal(state, AWAY)
         return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=tuple(away))
 
     def _carry(self, state: Catching, seen: CellSeen) -> Catching:

@@ -101,7 +101,7 @@ class TablePick:
     @property
     def tips(self) -> Floats:
         """Of the open hand (3, 3) in the hand frame."""
-        return self._tips((self.hand.open_curl,) * 3)
+        return self._tips((TIP_PREHENSION.opened,) * 3)
 
     def _tips(self, curls: tuple[float, float, float]) -> Floats:
         joints = TIP_PREHENSION.joints(np.array(curls))
@@ -116,7 +116,7 @@ class TablePick:
         return state.phase in (Phase.OVER, Phase.DESCEND) and state.end is None
 
     def _hand(self, state: Picking) -> HandOrder:
-        open_curls = (self.hand.open_curl,) * 3
+        open_curls = (TIP_PREHENSION.opened,) * 3
         if state.phase in (Phase.CLOSE, Phase.LIFT, Phase.HOLD):
             return HandOrder(HandMode.CLOSE, open_curls)
         return HandOrder(HandMode.SHAPE, open_curls, close_on_palm=state.phase is Phase.DESCEND)
@@ -231,7 +231,7 @@ class TablePick:
         goal = np.array([*state.centre, state.contact + BACK_OFF])
         if state.path.there(goal) and seen.at_end:
             return replace(state, phase=Phase.CLOSE, since=seen.time)
-        opened = max(seen.curls) < 0.5 * self.hand.open_curl
+        opened = max(seen.curls) < 0.5 * TIP_PREHENSION.opened
         return replace(state, path=toward(state.path, goal, self.slow)) if opened else state
 
     def _lift(self, state: Picking, seen: CellSeen) -> Picking:

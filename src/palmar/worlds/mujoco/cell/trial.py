@@ -105,6 +105,7 @@ def run_trial(
             end = CellEnd.OUT_OF_REACH
         for _ in range(TICKS):
             cell.tick()
+            judge.feel()
         judge.look()
         if watch is not None:
             watch(cell)
@@ -124,6 +125,7 @@ def _result(
 ) -> TrialResult:
     if end is None:
         judge.faults.add("never ended")
+    judge.weigh()
     if judge.speed > CREEP:
         judge.faults.add("moved after its end")
     bias = cell.settings.camera.bias
