@@ -79,4 +79,4 @@ def meeting_curl(hand: SalisburyHand, curl: Curl, radius: float, clearance: floa
     apart = np.linalg.norm(start + share[..., None] * along, axis=-1)
     sizes = hand.link_radius, max(hand.link_radius, hand.tip_radius)
     meets = (apart - sizes < radius + clearance).any(axis=(0, 2))
-    return float(curls[max(np.argmax(meets) - 1, 0)] if meets.any() else curls[-1])
+    return float(curls[max(int(np.argmax(meets)) - 1, 0)] if meets.any() else curls[-1])
