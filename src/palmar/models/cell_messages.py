@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
+from math import pi
 from typing import Annotated, Any, Protocol
 
 import numpy as np
@@ -84,11 +85,16 @@ class Owner(Enum):
     BEHAVIOUR = "behaviour"
 
 
+NEVER = pi
+"""Curl (rad) that no finger reaches."""
+
+
 @dataclass(frozen=True)
 class HandOrder:
     """To the reflex layer: mode, the shape of the curls, target curls (rad), rate (rad/s), grip torque (N m) of joint 2.
 
     ``close_on_palm``: the palm reflex is armed; any palm bit closes the hand at once, without asking the behaviour.
+    ``soft_from`` (rad): from this curl on a finger may meet the object and closes no faster than ``soft_rate`` (rad/s).
     """
 
     mode: HandMode
@@ -97,6 +103,8 @@ class HandOrder:
     rate: float = 1.5
     grip: float = 0.6
     close_on_palm: bool = False
+    soft_from: float = NEVER
+    soft_rate: float = 1.0
 
 
 @dataclass(frozen=True)

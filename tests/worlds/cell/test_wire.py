@@ -57,6 +57,8 @@ def changed(path: str, value: object) -> str:
         ("order.palm_pose", [[1, 0, 0, 1e3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
         ("order.hand.rate", float("nan")),
         ("order.hand.rate", 1e3),
+        ("order.hand.rate", 0.0),
+        ("order.hand.soft_rate", -1.0),
         ("order.hand.grip", -0.1),
         ("order.hand.target", [0.0, 0.0, 9.0]),
         ("order.hand.mode", "crush"),

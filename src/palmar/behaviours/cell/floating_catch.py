@@ -20,16 +20,18 @@ from palmar.behaviours.cell.arm_path import PERIOD, ArmPath, halt, toward
 from palmar.behaviours.cell.palm_alignment import aligned
 from palmar.behaviours.cell.phased import Phased, PhaseState, lost
 from palmar.behaviours.cell.table_pick import HOLD, LIFT
-from palmar.models.cell_messages import CellEnd, CellSeen, HandMode, HandOrder
+from palmar.mechanics.arm.salisbury_finger import meeting_curl
+from palmar.models.cell_messages import NEVER, CellEnd, CellSeen, HandMode, HandOrder
 from palmar.models.salisbury_hand import CYLINDRIC, SalisburyHand
 
 Floats = NDArray[np.float64]
 WATCHED = 0.8
 """How long (s) the rest position is watched before the arm moves."""
-STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.15
-"""Palm to the axis at the start of the drive; how far past the rest position it goes; how far it carries away (m)."""
+STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.18
+"""Palm to the axis at the start of the drive; how far past the rest position it goes; how far off it is at the end (m)."""
 GENTLE, TURNING, TURNED = 0.02, 0.15, 5.0
 """With alignment: speed of the drive (m/s), rate of turning (rad/s), and the longest time (s) for it."""
+UP = np.array([0.0, 0.0, 1.0])
 CLOSING_TIME = 1.5
 """Fingers that have not arrived after this (s) do not."""
 
@@ -49,10 +51,11 @@ class Phase(Enum):
 
 @dataclass(frozen=True)
 class Catching(PhaseState):
-    """``rest``: the rest position (m); ``away``: where (m) the palm carries the cylinder."""
+    """``rest``: the rest position (m); ``away``: where (m) the palm carries the cylinder; ``soft_from``: as the order's."""
 
     rest: tuple[float, float] = (0.0, 0.0)
     away: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    soft_from: float = NEVER
     approaches: int = 1
 
 
@@ -65,6 +68,8 @@ class FloatingCatch(Phased[Catching]):
     fast: float = 0.15
     drive: float = 0.12
     closing_rate: float = 4.0
+    soft_rate: float = 1.0
+    clearance: float = 0.010
     grip: float = 0.5
     align: bool = False
     guided = frozenset({Phase.LINE_UP, Phase.DRIVE})
@@ -82,7 +87,16 @@ class FloatingCatch(Phased[Catching]):
         closing = state.phase in (Phase.CLOSING, Phase.STOP, Phase.CARRY, Phase.HOLD)
         mode = HandMode.CLOSE if closing else HandMode.SHAPE
         armed = state.phase is Phase.DRIVE and not self.align
-        return HandOrder(mode, (self.hand.open_curl,) * 3, CYLINDRIC, self.closing_rate, self.grip, armed)
+        return HandOrder(
+            mode,
+            (CYLINDRIC.opened,) * 3,
+            CYLINDRIC,
+            self.closing_rate,
+            self.grip,
+            armed,
+            state.soft_from,
+            self.soft_rate,
+        )
 
     def _goal(self, state: Catching, distance: float) -> Floats:
         """Where (m) the palm is ``distance`` (m) before the axis, the axis across the middle of the palm."""
@@ -97,7 +111,10 @@ class FloatingCatch(Phased[Catching]):
         if seen.time - state.since < WATCHED:
             return state
         blind = self.blind(state, seen)
-        return blind or replace(state, phase=Phase.LINE_UP, since=seen.time, rest=state.seen.place)
+        if blind is not None:
+            return blind
+        soft_from = meeting_curl(self.hand, CYLINDRIC, state.seen.radius, self.clearance)
+        return replace(state, phase=Phase.LINE_UP, since=seen.time, rest=state.seen.place, soft_from=soft_from)
 
     def _line_up(self, state: Catching, seen: CellSeen) -> Catching:
         blind = self.blind(state, seen)
@@ -150,8 +167,7 @@ class FloatingCatch(Phased[Catching]):
             return state
         if not seen.gripped:
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
-        way = np.array([0.0, 0.0, LIFT]) if self.align else -AWAY * state.path.pose[:3, 2]
-        away = state.path.place + way
+        away = state.path.place + LIFT * UP if self.align else self._goal(state, AWAY)
         return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=tuple(away))
 
     def _carry(self, state: Catching, seen: CellSeen) -> Catching:

@@ -85,7 +85,7 @@ class TablePick(Phased[Picking]):
     @property
     def tips(self) -> Floats:
         """Of the open hand (3, 3) in the hand frame."""
-        return self._tips((self.hand.open_curl,) * 3)
+        return self._tips((TIP_PREHENSION.opened,) * 3)
 
     def _tips(self, curls: tuple[float, float, float]) -> Floats:
         joints = TIP_PREHENSION.joints(np.array(curls))
@@ -98,7 +98,7 @@ class TablePick(Phased[Picking]):
 
     def hand_order(self, state: Picking) -> HandOrder:
         """Open, or closing from the moment the palm was felt."""
-        open_curls = (self.hand.open_curl,) * 3
+        open_curls = (TIP_PREHENSION.opened,) * 3
         if state.phase in (Phase.CLOSE, Phase.LIFT, Phase.HOLD):
             return HandOrder(HandMode.CLOSE, open_curls)
         return HandOrder(HandMode.SHAPE, open_curls, close_on_palm=state.phase is Phase.DESCEND)
@@ -209,7 +209,7 @@ class TablePick(Phased[Picking]):
             if any(seen.palm):
                 return replace(state, end=CellEnd.SENSOR_FAULT)
             return replace(state, phase=Phase.CLOSE, since=seen.time)
-        opened = max(seen.curls) < 0.5 * self.hand.open_curl
+        opened = max(seen.curls) < 0.5 * TIP_PREHENSION.opened
         return replace(state, path=toward(state.path, goal, self.slow)) if opened else state
 
     def _lift(self, state: Picking, seen: CellSeen) -> Picking:

@@ -74,7 +74,8 @@ class Reply(Message):
     def _is_moderate(self) -> Self:
         hand = self.order.hand
         most = max(abs(each) for each in hand.target)
-        if most > CURL_MOST or not 0.0 < hand.rate <= RATE_MOST or not 0.0 <= hand.grip <= GRIP_MOST:
+        slow, fast = min(hand.rate, hand.soft_rate), max(hand.rate, hand.soft_rate)
+        if most > CURL_MOST or slow <= 0.0 or fast > RATE_MOST or not 0.0 <= hand.grip <= GRIP_MOST:
             raise ValueError("an order's curls, rate or grip are beyond what the hand can do")
         return self
 

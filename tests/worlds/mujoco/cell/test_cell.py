@@ -13,6 +13,7 @@ from palmar.models.salisbury_hand import TIP_PREHENSION, SalisburyHand
 from palmar.studies.cell_trials import Trials, run_one
 from palmar.worlds.cell.faults import Fault, FaultKind
 from palmar.worlds.mujoco.cell.cell import Cell
+from palmar.worlds.mujoco.cell.judge import OBJECT_FORCE, Judge
 from palmar.worlds.mujoco.cell.scene import cell_xml
 from palmar.worlds.mujoco.cell.settings import CellSettings
 from palmar.worlds.mujoco.cell.trial import run_trial, start_pose
@@ -85,6 +86,46 @@ def test_a_cylinder_is_picked_up_from_the_table():
     assert (result.outcome, result.end, result.unsafe, result.approaches) == ("success", "holds", (), 1)
     assert [owner for _, owner in result.trace][-3:] == ["palm", "behaviour", "grip"]
     assert (result.missed, result.table_force) == (0, 0.0)
+
+
+def test_a_floating_cylinder_is_caught_softly_and_no_finger_goes_through_another():
+    """Fingers slow down before they meet it: a third of what it takes to be unsafe."""
+    nearest, tips = [], [f"tip_{k}" for k in range(3)]
+
+    def watch(cell):
+        places = [cell.data.site(each).xpos for each in tips]
+        nearest.append(min(np.linalg.norm(places[k] - places[k - 1]) for k in range(3)))
+
+    result = run_trial(HAND, FLOATING_TASK, CellSettings(seed=1), watch=watch)
+    assert (result.outcome, result.unsafe) == ("success", ())
+    assert 20.0 < result.object_force < 80.0
+    assert min(nearest) > 2.0 * HAND.tip_radius
+
+
+def test_a_blow_of_one_tick_is_noticed_with_the_engine_s_own_force():
+    cell = still_cell()
+    judge, force = Judge(cell), np.zeros(6)
+    tip, place = cell.data.site("tip_0").xpos, cell.model.joint("object").qposadr[0]
+    for depth in (0.0, 0.030):
+        cell.data.qpos[place : place + 3] = tip + np.array(
+            [HAND.tip_radius + TABLE_TASK.cylinder.radius - depth, 0.0, 0.0]
+        )
+        mujoco.mj_step1(cell.model, cell.data)
+        mujoco.mj_step2(cell.model, cell.data)
+        judge.feel()
+    blow = 0.0
+    for i in range(cell.data.ncon):
+        mujoco.mj_contactForce(cell.model, cell.data, i, force)
+        blow += force[0]
+    cell.data.qpos[place : place + 3] = (0.4, 0.4, 0.5)
+    cell.tick()
+    judge.feel()
+    judge.weigh()
+    assert cell.data.ncon == 0
+    assert judge.object_force == pytest.approx(blow)
+    assert judge.table_force == 0.0
+    assert blow > OBJECT_FORCE
+    assert judge.faults == {f"pressed the object with more than {OBJECT_FORCE:g} N"}
 
 
 def test_without_friction_nothing_is_held():

@@ -18,7 +18,7 @@ from palmar.mechanics.arm.puma_560 import forward, nearest
 from palmar.mechanics.arm.salisbury_finger import tensions
 from palmar.models.cell_messages import CellSeen, Eye, HandFelt, HandMode, HandOrder, Owner, Sighting
 from palmar.models.cell_task import CellTask, TaskKind
-from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, SalisburyHand
+from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, Curl, SalisburyHand
 from palmar.worlds.cell.alter_mode import AlterMode
 from palmar.worlds.cell.faults import FaultKind
 from palmar.worlds.cell.pose_camera import PoseCamera
@@ -63,12 +63,12 @@ class Cell:
         self.mount[2, 3] = self.hand.mount
         self.unmount = np.linalg.inv(self.mount)
         self.object = self.model.body("object").id
-        self._place()
+        curl = TIP_PREHENSION if self.task.kind is TaskKind.TABLE else CYLINDRIC
+        self._place(curl)
         self.sense = FingerSense(self.hand, STEP, self.settings.tension_noise)
         self.readings = np.full((3, 4), self.hand.tension_least)
-        curl = TIP_PREHENSION if self.task.kind is TaskKind.TABLE else CYLINDRIC
-        self.order = HandOrder(HandMode.SHAPE, (self.hand.open_curl,) * 3, curl)
-        self.reflex = ReflexState((self.hand.open_curl,) * 3)
+        self.order = HandOrder(HandMode.SHAPE, (curl.opened,) * 3, curl)
+        self.reflex = ReflexState((curl.opened,) * 3)
         self.wanted = curl.joints(np.array(self.reflex.set_points))
         self.pose_camera = PoseCamera(self.settings.camera, self._axis, self.random)
         self.camera = TimedCamera(self.settings.camera, self._frame, self.random, self.settings.fault)
@@ -76,16 +76,12 @@ class Cell:
         self.sighting: Sighting | None = None
         self.touched, self.palm = [False] * 3, [False] * 2
 
-    def _place(self) -> None:
+    def _place(self, curl: Curl) -> None:
         joints = nearest(self.pose @ self.unmount, ELBOW_UP)
         if joints is None:
             raise InputError("cell", None, "the arm must be able to reach the start of the task")
         self.data.qpos[ARM] = joints
-        self.data.qpos[FINGERS] = (
-            (TIP_PREHENSION if self.task.kind is TaskKind.TABLE else CYLINDRIC)
-            .joints(np.full(3, self.hand.open_curl))
-            .ravel()
-        )
+        self.data.qpos[FINGERS] = curl.joints(np.full(3, curl.opened)).ravel()
         at = int(self.model.joint("object").qposadr[0])
         speed = int(self.model.joint("object").dofadr[0])
         self.data.qpos[at : at + 2] += self.settings.offset

@@ -89,6 +89,7 @@ class Plant:
             if answer is not None and self.end is None:
                 self.obey(answer, now)
             self.cell.tick()
+            self.judge.feel()
             if self.cell.stopped is not None and self.end is None:
                 self.cell.hold(self.cell.stopped)
                 self._finish(CellEnd.STOPPED, now)

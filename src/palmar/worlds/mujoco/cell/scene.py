@@ -1,7 +1,7 @@
 """The cell as a MuJoCo scene: arm, hand, and a cylinder that stands on a table or hangs from a counterweighted bar.
 
-World frame = the arm's base frame. The hand touches the cylinder and the table; fingers do not touch each other. Nothing is
-ever attached: what holds the cylinder is friction. The bar hangs in its middle from a ceiling point about which it turns
+World frame = the arm's base frame. The hand touches the cylinder and the table, and fingers touch each other. Nothing
+is ever attached: what holds the cylinder is friction. The bar hangs in its middle from a ceiling point about which it turns
 and tilts; the thread at its end is taut or slack, it only pulls. Its counterweight balances the cylinder.
 """
 
@@ -24,7 +24,7 @@ EYE_DISTANCE, EYE_DOWN, EYE_FIELD = 0.70, 0.55, 0.07
 """Of the camera from the cylinder's place (m); how far down it looks (rad); what it sees around the cylinder (m)."""
 EYE_TURN = {TaskKind.TABLE: 0.5 * pi, TaskKind.FLOATING: 0.6, TaskKind.ALIGN: 0.6}
 """Where it stands about the cylinder, from x toward y (rad)."""
-OBJECT, TABLE, HAND = 1, 2, 4
+OBJECT, TABLE, HAND, FINGER = 1, 2, 4, 8
 """Collision bits."""
 
 
@@ -53,11 +53,13 @@ def _classes(task: CellTask) -> str:
     friction = task.cylinder.friction_hand
     rub = f'friction="{friction} 0.005 0.0001" condim="4" solref="0.004 1" solimp="0.95 0.99 0.0005"'
     touch = f'contype="{HAND}" conaffinity="{OBJECT | TABLE}" {rub} priority="1"'
+    meet = f'contype="{HAND | FINGER}" conaffinity="{OBJECT | TABLE | FINGER}" {rub} priority="1"'
     return f"""<geom density="0"/>
     <default class="seen"><geom contype="0" conaffinity="0"/></default>
     <default class="arm"><geom {touch} rgba="0.55 0.60 0.68 1"/></default>
     <default class="hand"><geom {touch} rgba="0.30 0.32 0.36 1"/></default>
-    <default class="tip"><geom {touch} rgba="0.90 0.62 0.0 1"/></default>
+    <default class="distal"><geom {meet} rgba="0.30 0.32 0.36 1"/></default>
+    <default class="tip"><geom {meet} rgba="0.90 0.62 0.0 1"/></default>
     <default class="palm"><geom {touch.replace("0.004 1", f"{PADDING} 1")} rgba="0.0 0.45 0.70 1"/></default>"""
 
 

@@ -98,6 +98,7 @@ def run_trial(
             end = CellEnd.OUT_OF_REACH
         for _ in range(TICKS):
             cell.tick()
+            judge.feel()
         judge.look()
         if watch is not None:
             watch(cell)
@@ -117,6 +118,7 @@ def result_of(
     """What came of a trial that took ``wall`` seconds."""
     if end is None:
         judge.faults.add("never ended")
+    judge.weigh()
     if judge.speed > CREEP:
         judge.faults.add("moved after its end")
     bias = cell.settings.camera.bias
