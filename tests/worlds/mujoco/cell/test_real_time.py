@@ -44,8 +44,9 @@ if __name__ == "__main__":
 """
 
 
-def test_a_killed_controller_leaves_an_arm_that_holds_and_a_cell_at_rest():
-    trial = run_in_real_time(HAND, TABLE_TASK, CellSettings(fault=Fault(FaultKind.CONTROLLER_KILLED, 0.6)))
+@pytest.mark.parametrize("kind", [FaultKind.CONTROLLER_KILLED, FaultKind.CONTROLLER_HUNG])
+def test_a_controller_that_is_gone_leaves_an_arm_that_holds_and_a_cell_at_rest(kind):
+    trial = run_in_real_time(HAND, TABLE_TASK, CellSettings(fault=Fault(kind, 0.6)))
     result, timing = trial.result, trial.timing
     assert (result.outcome, result.end, result.unsafe, result.missed) == ("stopped", "stopped", (), 1)
     assert result.trace[-1][1] == "safe stop"
@@ -61,6 +62,16 @@ def test_vision_that_does_not_start_is_reported_at_once_and_nothing_moves():
     trial = run_in_real_time(HAND, TABLE_TASK, CellSettings(), make_sight=partial(int, "no camera"))
     assert (trial.result.outcome, trial.result.unsafe, trial.timing) == ("never started", (), None)
     assert time.monotonic() - began < 20.0
+    assert multiprocessing.active_children() == []
+
+
+def test_a_plant_that_dies_is_unsafe_and_reported(monkeypatch):
+    """Then nobody can say how arm and hand were left."""
+    name = "palmar.worlds.mujoco.cell.real_time.STRUCK"
+    monkeypatch.setattr(name, {FaultKind.CONTROLLER_HUNG: ("plant", signal.SIGKILL)})
+    trial = run_in_real_time(HAND, TABLE_TASK, CellSettings(fault=Fault(FaultKind.CONTROLLER_HUNG, 0.1)))
+    assert (trial.result.outcome, trial.timing) == ("the plant's process died", None)
+    assert trial.result.unsafe == ("the plant's process died",)
     assert multiprocessing.active_children() == []
 
 

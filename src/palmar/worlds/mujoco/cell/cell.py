@@ -124,7 +124,7 @@ class Cell:
         """Answer the arm's request with a pose of the hand frame (4, 4); whether the arm can reach it."""
         delay = self.settings.reply + 0.001 * float(self.random.exponential())
         fault = self.settings.fault
-        if fault.now(FaultKind.CONTROLLER_KILLED, self.time):
+        if any(fault.now(silent, self.time) for silent in (FaultKind.CONTROLLER_KILLED, FaultKind.CONTROLLER_HUNG)):
             return self.answer(self.time, np.inf, None)
         if fault.now(FaultKind.LATE_REPLY, self.time):
             delay = 0.020

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import signal
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -27,7 +29,12 @@ from palmar.worlds.mujoco.cell.plant import ASSEMBLY, run_plant
 from palmar.worlds.mujoco.cell.settings import CellSettings
 from palmar.worlds.mujoco.cell.trial import LONGEST, TrialResult, start_pose
 
-KILLED = {FaultKind.CONTROLLER_KILLED: "controller", FaultKind.VISION_KILLED: "vision"}
+STRUCK = {
+    FaultKind.CONTROLLER_KILLED: ("controller", signal.SIGKILL),
+    FaultKind.CONTROLLER_HUNG: ("controller", signal.SIGSTOP),
+    FaultKind.VISION_KILLED: ("vision", signal.SIGKILL),
+}
+"""Which process gets which signal."""
 GRACE = 10.0
 """What takes so much longer (s) than it may is hung."""
 FAREWELL = 2.0
@@ -58,13 +65,14 @@ def run_in_real_time(
         epoch = crew.hear(ASSEMBLY + GRACE, all_alive=True)
         if not isinstance(epoch, float):
             return RealTimeTrial(unfinished("never started", monotonic() - began), None)
-        killed = crew.let_fail(epoch, settings.fault)
+        struck = crew.strike(epoch, settings.fault)
         found = crew.hear(LONGEST + GRACE)
         if found is None:
+            crew.plant.join(FAREWELL)  # its pipe closes before it is gone
             how = "hung" if crew.plant.is_alive() else "the plant's process died"
             return RealTimeTrial(unfinished(how, monotonic() - began, (how,)), None)
         result, timing = found
-        return RealTimeTrial(result, replace(timing, fault_s=_set_in(settings.fault, timing, killed)))
+        return RealTimeTrial(result, replace(timing, fault_s=_set_in(settings.fault, timing, struck)))
     finally:
         crew.bury()
 
@@ -79,9 +87,9 @@ def unfinished(outcome: str, wall: float, unsafe: tuple[str, ...] = ()) -> Trial
     return TrialResult(outcome, "none", unsafe, 0, 0.0, 0.0, wall, 0, 0, 0.0, 0.0, (), ())
 
 
-def _set_in(fault: Fault, timing: Timing, killed: float | None) -> float | None:
+def _set_in(fault: Fault, timing: Timing, struck: float | None) -> float | None:
     """When (s) a fault set in, if the trial had not ended before."""
-    at = killed if fault.kind in KILLED else fault.start
+    at = struck if fault.kind in STRUCK else fault.start
     return at if fault.kind is not FaultKind.NONE and at is not None and at < timing.ended else None
 
 
@@ -125,14 +133,14 @@ class Crew:
                 return self.ear.recv()
         return None
 
-    def let_fail(self, epoch: float, fault: Fault) -> float | None:
-        """Kill a process at its time if the fault is of that kind; when (s), None if the trial ended before."""
-        if fault.kind not in KILLED:
+    def strike(self, epoch: float, fault: Fault) -> float | None:
+        """Kill or stop a process at its time if the fault is of that kind; when (s), None if the trial ended before."""
+        if fault.kind not in STRUCK or wait([self.ear], max(0.0, epoch + fault.start - monotonic())):
             return None
-        if wait([self.ear], max(0.0, epoch + fault.start - monotonic())):
-            return None
-        victim = self.members[KILLED[fault.kind]]
-        victim.kill()
+        name, how = STRUCK[fault.kind]
+        pid = self.members[name].pid
+        assert pid is not None
+        os.kill(pid, how)
         return monotonic() - epoch
 
     def bury(self) -> None:
