@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from multiprocessing import parent_process
@@ -16,11 +15,10 @@ PLANT_RANK, CONTROLLER_RANK = 20, 10
 
 
 def settle(rank: int | None) -> bool:
-    """Leave Ctrl-C to the parent, stop collecting garbage, and take a rank of SCHED_FIFO; whether it was granted.
+    """Stop collecting garbage, and take a rank of SCHED_FIFO; whether it was granted.
 
     Call it before threads are made: they inherit the rank.
     """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
     gc.collect()
     gc.freeze()
     gc.disable()

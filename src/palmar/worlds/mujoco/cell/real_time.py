@@ -120,9 +120,13 @@ class Crew:
         self.plant = self.members["plant"]
 
     def start(self) -> None:
-        """All of them, the plant first."""
-        for each in self.members.values():
-            each.start()
+        """All of them, deaf to Ctrl-C from their first instruction on: it is for the supervisor."""
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            for each in self.members.values():
+                each.start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
         self.mouth.close()
 
     def hear(self, seconds: float, all_alive: bool = False) -> Any:
