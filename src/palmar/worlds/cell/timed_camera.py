@@ -44,10 +44,9 @@ class CameraSettings:
 
 @dataclass
 class TimedCamera:
-    """``see`` tells what is to be seen now (s), None if nothing is; frames are taken when ``expose`` is called in time."""
+    """Frames are taken when ``expose`` is called in time."""
 
     settings: CameraSettings
-    see: Callable[[float], Sighting | None]
     random: np.random.Generator
     fault: Fault = field(default_factory=Fault)
     due: float = 0.0
@@ -55,14 +54,14 @@ class TimedCamera:
     latest: Sighting | None = None
     frozen: Sighting | None = None
 
-    def expose(self, now: float) -> None:
-        """Take a frame if one is due at time ``now`` (s)."""
+    def expose(self, now: float, see: Callable[[float], Sighting | None]) -> None:
+        """Take a frame if one is due at time ``now`` (s); ``see``: what is to be seen then, None where nothing is."""
         if now < self.due:
             return
         self.due += 1.0 / self.settings.rate
         if self.fault.now(FaultKind.CAMERA_KILLED, now) or self.random.random() < self.settings.dropped:
             return
-        seen = self.frozen or self.see(now)
+        seen = self.frozen or see(now)
         if seen is None:
             return
         if self.fault.now(FaultKind.FRAMES_FROZEN, now):
