@@ -14,11 +14,10 @@ def watch(
     settings: CameraSettings, fault: FaultKind = FaultKind.NONE, seconds: float = 60.0
 ) -> list[tuple[float, ...]]:
     random = np.random.default_rng(1)
-    pose = PoseCamera(settings, lambda: (0.5, -0.1, 0.03), random)
-    camera = TimedCamera(settings, pose.sight, random, Fault(fault, 1.0))
+    pose, camera = PoseCamera(settings, random), TimedCamera(settings, random, Fault(fault, 1.0))
     found: list[tuple[float, ...]] = []
     for k in range(int(1000 * seconds)):
-        camera.expose(k * 1e-3)
+        camera.expose(k * 1e-3, lambda now: pose.sight(now, 0.5, -0.1, 0.03))
         seen = camera.look(k * 1e-3)
         if seen is not None and (not found or seen.stamp_s > found[-1][1]):
             found.append((k * 1e-3, seen.stamp_s, seen.x_m, seen.y_m, seen.radius_m))
@@ -52,11 +51,9 @@ def test_a_camera_without_frames_is_refused():
 
 def test_where_nothing_is_seen_nothing_is_sent_and_the_last_sighting_grows_old():
     settings = CameraSettings(dropped=0.0)
-    camera = TimedCamera(
-        settings, lambda now: Sighting(now, 0.5, 0.0, 0.03, 1e-3) if now < 0.5 else None, np.random.default_rng(2)
-    )
+    camera = TimedCamera(settings, np.random.default_rng(2))
     for k in range(1000):
-        camera.expose(k * 1e-3)
+        camera.expose(k * 1e-3, lambda now: Sighting(now, 0.5, 0.0, 0.03, 1e-3) if now < 0.5 else None)
     seen = camera.look(2.0)
     assert seen is not None
     assert seen.stamp_s == pytest.approx(0.5, abs=1.0 / settings.rate)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from palmar.worlds.cell.faults import Fault, FaultKind
+from palmar.worlds.cell.pose_camera import PoseCamera
 from palmar.worlds.cell.timed_camera import CameraSettings, TimedCamera
 from palmar.worlds.cell.timing import percentiles
 
@@ -19,11 +20,11 @@ def sent(fault: Fault) -> list[tuple[int, float]]:
     """Number and stamp of what arrives in 4 s of light that is 10 ms old."""
     qpos = np.zeros(22)
     qpos[AXIS] = 0.5, 0.1
-    retina = Retina(PoseSight(SETTINGS, 0.03, np.random.default_rng(0)))
-    camera, found = TimedCamera(SETTINGS, retina.see, np.random.default_rng(1), fault), []
+    retina = Retina(PoseSight(PoseCamera(SETTINGS, np.random.default_rng(0)), 0.03))
+    camera, found = TimedCamera(SETTINGS, np.random.default_rng(1), fault), []
     for now in np.arange(0.0, 4.0, 0.002):
         retina.light = Light(stamp_s=float(now) - 0.01, epoch_s=0.0, qpos=tuple(qpos.tolist()))
-        camera.expose(float(now))
+        camera.expose(float(now), retina.see)
         for number, sighting in camera.arrivals(float(now)):
             assert (sighting.x_m, sighting.y_m) == pytest.approx((0.51, 0.08))
             assert now - sighting.stamp_s == pytest.approx(0.01)

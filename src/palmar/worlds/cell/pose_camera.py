@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,15 +12,13 @@ from palmar.worlds.cell.timed_camera import CameraSettings
 
 @dataclass(frozen=True)
 class PoseCamera:
-    """``where`` gives the axis' true place and radius (m) now."""
+    """With noise and calibration error."""
 
     settings: CameraSettings
-    where: Callable[[], tuple[float, float, float]]
     random: np.random.Generator
 
-    def sight(self, now: float) -> Sighting:
-        """With noise and calibration error."""
-        x, y, radius = self.where()
+    def sight(self, now: float, x: float, y: float, radius: float) -> Sighting:
+        """Of a true axis and radius (m) at a time (s)."""
         east, north = self.settings.bias
         noise = self.settings.noise * self.random.standard_normal(3)
         return Sighting(now, x + east + noise[0], y + north + noise[1], radius + 0.5 * noise[2], self.settings.noise)

@@ -48,13 +48,9 @@ class CameraSettings:
 
 @dataclass
 class TimedCamera:
-    """``see`` tells what is to be seen now (s), None if nothing is; frames are taken when ``expose`` is called in time.
-
-    ``frames``: how many were due, also those that were lost.
-    """
+    """Frames are taken when ``expose`` is called in time; ``frames``: how many were due, also those that were lost."""
 
     settings: CameraSettings
-    see: Callable[[float], Sighting | None]
     random: np.random.Generator
     fault: Fault = field(default_factory=Fault)
     due: float = 0.0
@@ -63,8 +59,8 @@ class TimedCamera:
     latest: Sighting | None = None
     frozen: Sighting | None = None
 
-    def expose(self, now: float) -> None:
-        """Take a frame if one is due at time ``now`` (s)."""
+    def expose(self, now: float, see: Callable[[float], Sighting | None]) -> None:
+        """Take a frame if one is due at time ``now`` (s); ``see``: what is to be seen then, None where nothing is."""
         if now < self.due:
             return
         self.due = max(self.due + 1.0 / self.settings.rate, now)
@@ -72,7 +68,7 @@ class TimedCamera:
         gone = self.fault.now(FaultKind.CAMERA_KILLED, now) or self.fault.now(FaultKind.VISION_KILLED, now)
         if gone or self.random.random() < self.settings.dropped:
             return
-        seen = self.see(now) if self.frozen is None else replace(self.frozen, stamp_s=now)
+        seen = see(now) if self.frozen is None else replace(self.frozen, stamp_s=now)
         if seen is None:
             return
         if self.fault.now(FaultKind.FRAMES_FROZEN, now):

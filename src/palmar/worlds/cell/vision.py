@@ -32,14 +32,13 @@ AXIS = slice(15, 17)
 class PoseSight:
     """What a camera would see of a cylinder of a radius (m), made of the true pose."""
 
-    settings: CameraSettings
+    camera: PoseCamera
     radius: float
-    random: np.random.Generator
 
     def __call__(self, qpos: Floats, stamp_s: float) -> Sighting | None:
         """At a joint state (nq,) and a time (s)."""
         x, y = qpos[AXIS].tolist()
-        return PoseCamera(self.settings, lambda: (x, y, self.radius), self.random).sight(stamp_s)
+        return self.camera.sight(stamp_s, x, y, self.radius)
 
 
 @dataclass
@@ -58,7 +57,7 @@ def watch(make: Callable[[], Sight], settings: CameraSettings, fault: Fault, see
     """Until there is no light any more; ``make`` makes what looks, in this process."""
     retina = Retina(make())
     settle(None)
-    camera = TimedCamera(settings, retina.see, np.random.default_rng([seed, 2]), fault)
+    camera = TimedCamera(settings, np.random.default_rng([seed, 2]), fault)
     with open_session(None, [ports.plant, ports.controller]) as session:
         lights = Mailbox(Light).listen(session, Key.LIGHT)
         frames, ready = Sender[Frame](session, Key.FRAME), Sender[Ready](session, Key.READY)
@@ -71,7 +70,7 @@ def watch(make: Callable[[], Sight], settings: CameraSettings, fault: Fault, see
                     retina.see(0.0)
                     ready.send(Ready(who="vision"))
             if retina.light is not None and retina.light.epoch_s is not None:
-                camera.expose(monotonic() - retina.light.epoch_s)
+                camera.expose(monotonic() - retina.light.epoch_s, retina.see)
                 for number, sighting in camera.arrivals(monotonic() - retina.light.epoch_s):
                     frames.send(Frame(number=number, sighting=sighting))
             sleep(NAP)

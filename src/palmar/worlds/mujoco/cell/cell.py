@@ -70,8 +70,8 @@ class Cell:
         self.order = HandOrder(HandMode.SHAPE, (curl.opened,) * 3, curl)
         self.reflex = ReflexState((curl.opened,) * 3)
         self.wanted = curl.joints(np.array(self.reflex.set_points))
-        self.pose_camera = PoseCamera(self.settings.camera, self._axis, self.random)
-        self.camera = TimedCamera(self.settings.camera, self._frame, self.random, self.settings.fault)
+        self.pose_camera = PoseCamera(self.settings.camera, self.random)
+        self.camera = TimedCamera(self.settings.camera, self.random, self.settings.fault)
         self.stopped: str | None = None
         self.sighting: Sighting | None = None
         self.touched, self.palm = [False] * 3, [False] * 2
@@ -94,12 +94,11 @@ class Cell:
         """Seconds since the start."""
         return float(self.data.time)
 
-    def _axis(self) -> tuple[float, float, float]:
-        x, y, _ = self.data.xpos[self.object]
-        return float(x), float(y), self.task.cylinder.radius
-
     def _frame(self, now: float) -> Sighting | None:
-        return self.pose_camera.sight(now) if self.sight is None else self.sight(self.data.qpos, now)
+        if self.sight is not None:
+            return self.sight(self.data.qpos, now)
+        x, y, _ = self.data.xpos[self.object].tolist()
+        return self.pose_camera.sight(now, x, y, self.task.cylinder.radius)
 
     def seen(self) -> CellSeen:
         """What a behaviour is told now; touches since the last call are kept until it is."""
@@ -148,7 +147,7 @@ class Cell:
         """One servo tick and one step of physics."""
         data, now = self.data, self.time
         if self.eye is None:
-            self.camera.expose(now)
+            self.camera.expose(now, self._frame)
         felt = self._feel(now)
         self.reflex = reflex_step(self.reflex, felt, self.order, self.stopped is not None, STEP)
         if not self.trace or self.trace[-1][1] is not self.reflex.owner:

@@ -20,6 +20,7 @@ from palmar.models.cell_task import CellTask
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.controller import control
 from palmar.worlds.cell.faults import Fault, FaultKind
+from palmar.worlds.cell.pose_camera import PoseCamera
 from palmar.worlds.cell.process import ONE_THREAD, environment
 from palmar.worlds.cell.timed_camera import Sight
 from palmar.worlds.cell.timing import Timing
@@ -79,7 +80,9 @@ def run_in_real_time(
 
 def pose_sight(task: CellTask, settings: CellSettings) -> Callable[[], Sight]:
     """Of the true pose, with the noise of the trial's camera."""
-    return partial(PoseSight, settings.camera, task.cylinder.radius, np.random.default_rng([settings.seed, 3]))
+    return partial(
+        PoseSight, PoseCamera(settings.camera, np.random.default_rng([settings.seed, 3])), task.cylinder.radius
+    )
 
 
 def unfinished(outcome: str, wall: float, unsafe: tuple[str, ...] = ()) -> TrialResult:

@@ -48,6 +48,7 @@ class Renderer:
     def __init__(self, model: Any, camera: str, size: tuple[int, int]) -> None:
         height, width = size
         model.vis.global_.offwidth, model.vis.global_.offheight = width, height
+        model.vis.quality.shadowsize = 0  # nothing casts one, and its map takes 64 MB
         surface().make_current()
         try:
             self._drawer: Any = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100)
