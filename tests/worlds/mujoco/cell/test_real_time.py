@@ -4,6 +4,7 @@ How a run ends must not depend on how busy the machine is: a reply that is late 
 """
 
 import multiprocessing
+import os
 import signal
 import subprocess
 import sys
@@ -77,17 +78,19 @@ def test_a_plant_that_dies_is_unsafe_and_reported(monkeypatch):
 
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
 def test_when_the_supervisor_goes_everyone_goes(how, tmp_path):
-    """Its processes share its standard output, which closes when the last of them has ended."""
+    """Its processes share its standard output, which closes when the last of them has ended. Ctrl-C goes to all of them."""
     script = tmp_path / "watcher.py"
     script.write_text(WATCHER)
-    with subprocess.Popen([sys.executable, str(script)], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as watcher:
+    words, pipe = [sys.executable, str(script)], subprocess.PIPE
+    with subprocess.Popen(words, stdout=pipe, stderr=pipe, start_new_session=True) as watcher:
         assert watcher.stdout is not None
         assert float(watcher.stdout.readline()) > 0.0
         time.sleep(0.2)
-        watcher.send_signal(how)
+        os.kill(watcher.pid, how) if how is signal.SIGKILL else os.killpg(watcher.pid, how)
         sent = time.monotonic()
-        watcher.communicate(timeout=20.0)
+        _, said = watcher.communicate(timeout=20.0)
     assert time.monotonic() - sent < 8.0
+    assert said.count(b"Traceback") == (how is signal.SIGINT), "only the supervisor heard it"
 
 
 def test_a_reply_that_never_came_holds_the_arm_at_once():

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from multiprocessing import get_context
+from multiprocessing import get_context, resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from time import monotonic
@@ -124,6 +124,7 @@ class Crew:
 
     def start(self) -> None:
         """All of them, deaf to Ctrl-C from their first instruction on: it is for the supervisor."""
+        resource_tracker.ensure_running()  # it would let Ctrl-C through again as it starts
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             for each in self.members.values():
