@@ -17,11 +17,12 @@ import pytest
 pytest.importorskip("mujoco", reason="needs the extra palmar[mujoco]")
 pytest.importorskip("zenoh", reason="needs the extra palmar[realtime]")
 
-from palmar.models.cell_messages import CellEnd
+from palmar.models.cell_messages import CellEnd, CellOrder, Sighting
 from palmar.models.cell_task import TABLE_TASK
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.exchange import Answer
 from palmar.worlds.cell.faults import Fault, FaultKind
+from palmar.worlds.cell.wire import Frame, Reply, Sightings
 from palmar.worlds.mujoco.cell.plant import AFTERWARDS, Plant
 from palmar.worlds.mujoco.cell.real_time import run_in_real_time
 from palmar.worlds.mujoco.cell.settings import CellSettings
@@ -130,3 +131,22 @@ def test_what_moves_after_the_end_is_unsafe():
         plant.cell.tick()
     plant.look(1.06)
     assert plant.judge.faults == {"moved after its end"}
+
+
+@pytest.mark.parametrize(
+    ("age", "unsafe"), [(0.1, set()), (0.3, {"moved by a stale sighting"}), (None, {"moved by a stale sighting"})]
+)
+def test_the_judge_sees_for_itself_whether_the_arm_moves_by_a_fresh_sighting(age, unsafe):
+    plant = Plant(HAND, TABLE_TASK, CellSettings())
+    plant.begin(0.0)
+    plant.asked_s = 1.0
+    if age is not None:
+        plant.eye.box.put(
+            Frame(number=1, sighting=Sighting(1.0 - age, 0.5, 0.0, 0.03, 1e-3)).model_dump_json().encode()
+        )
+    pose = plant.cell.pose.copy()
+    pose[2, 3] -= 1e-3
+    order = CellOrder(pose, plant.cell.order, "lower the open hand", guided=True)
+    plant.obey(Answer(0.002, Reply(number=1, order=order, approaches=1, sightings=Sightings())), 1.003)
+    assert plant.end is None
+    assert plant.judge.faults == unsafe

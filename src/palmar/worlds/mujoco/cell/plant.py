@@ -53,7 +53,8 @@ class Plant:
         self.judge = Judge(self.cell)
         self.replies, self.ready = Mailbox(Reply), Mailbox(Ready)
         self.exchange = Exchange()
-        self.asked_at, self.before = 0.0, self.cell.pose
+        self.asked_tick = self.asked_s = 0.0
+        self.before = self.cell.pose
         self.end: CellEnd | None = None
         self.ended_at = 0.0
         self.at_rest: float | None = None
@@ -112,7 +113,7 @@ class Plant:
             self._finish(CellEnd.STOPPED, now)
             return
         seen = self.cell.seen()
-        self.asked_at = self.cell.time
+        self.asked_tick, self.asked_s = self.cell.time, now
         number = self.exchange.ask(monotonic())
         requests.send(Request(number=number, seen=replace(seen, time=now, sighting=None)))
 
@@ -121,16 +122,16 @@ class Plant:
         if answer.delay < inf:
             self.delays.append(answer.delay)
         if answer.reply is None:
-            self.cell.answer(self.asked_at, answer.delay, None)
+            self.cell.answer(self.asked_tick, answer.delay, None)
             self._finish(CellEnd.STOPPED, now)
             return
         order, self.approaches = answer.reply.order, answer.reply.approaches
         self.sightings = answer.reply.sightings
-        check_sight(self.judge, order, self.before, self.eye.look(now), now)
+        check_sight(self.judge, order, self.before, self.eye.look(now), self.asked_s)
         self.before, self.cell.order = order.palm_pose, order.hand
         if not self.phases or order.why != self.phases[-1][1]:
             self.phases.append((now, order.why))
-        reachable = self.cell.answer(self.asked_at, answer.delay, order.palm_pose)
+        reachable = self.cell.answer(self.asked_tick, answer.delay, order.palm_pose)
         if order.end is not None or not reachable:
             self._finish(order.end or CellEnd.OUT_OF_REACH, now)
 
