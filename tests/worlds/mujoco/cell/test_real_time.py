@@ -17,7 +17,7 @@ import pytest
 pytest.importorskip("mujoco", reason="needs the extra palmar[mujoco]")
 pytest.importorskip("zenoh", reason="needs the extra palmar[realtime]")
 
-from palmar.models.cell_messages import CellEnd, CellOrder, Sighting
+from palmar.models.cell_messages import CellEnd, CellOrder, HandMode, Owner, Sighting
 from palmar.models.cell_task import TABLE_TASK
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.exchange import Answer
@@ -123,14 +123,27 @@ def test_a_plant_that_nobody_watches_stops_by_itself(monkeypatch):
 def test_what_moves_after_the_end_is_unsafe():
     plant = Plant(HAND, TABLE_TASK, CellSettings())
     plant.begin(0.0)
-    plant.end, plant.ended_at = CellEnd.STOPPED, 0.0
+    plant.end, plant.ended_at = CellEnd.HOLDS, 0.0
     plant.look(1.0)
     assert plant.judge.faults == set()
     plant.cell.order = replace(plant.cell.order, target=(1.0,) * 3)
-    for _ in range(60):
+    for _ in range(28):
         plant.cell.tick()
-    plant.look(1.06)
+    plant.look(1.028)
     assert plant.judge.faults == {"moved after its end"}
+
+
+def test_a_hand_that_still_closes_stops_when_the_behaviour_gives_up():
+    plant = Plant(HAND, TABLE_TASK, CellSettings())
+    plant.begin(0.0)
+    hand = replace(plant.cell.order, mode=HandMode.CLOSE)
+    order = CellOrder(plant.cell.pose, hand, "close", CellEnd.NOTHING_GRIPPED)
+    plant.obey(Answer(0.002, Reply(number=1, order=order, approaches=1, sightings=Sightings())), 0.003)
+    curls = plant.cell.reflex.set_points
+    for _ in range(28):
+        plant.cell.tick()
+    assert (plant.end, plant.cell.reflex.set_points) == (CellEnd.NOTHING_GRIPPED, curls)
+    assert plant.cell.reflex.owner is Owner.SAFE_STOP
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ from palmar.worlds.cell.sighting_box import SightingBox
 from palmar.worlds.cell.timing import Timing
 from palmar.worlds.cell.transport import Key, Mailbox, Ports, Sender, open_session
 from palmar.worlds.cell.wire import Light, Ready, Reply, Request, Sightings
-from palmar.worlds.mujoco.cell.cell import FINGERS, Cell
+from palmar.worlds.mujoco.cell.cell import Cell
 from palmar.worlds.mujoco.cell.judge import CREEP, Judge
 from palmar.worlds.mujoco.cell.scene import STEP
 from palmar.worlds.mujoco.cell.settings import CellSettings
@@ -40,8 +40,6 @@ ASSEMBLY = 60.0
 """So long (s) the plant waits for the other processes to be ready."""
 TO_REST, AFTERWARDS = 0.3, 0.6
 """After its end the cell has so long (s) to come to rest, and is watched so long."""
-FINGER_CREEP = 0.2
-"""Speed (rad/s) of a finger's joint above which it moves."""
 
 
 class Plant:
@@ -58,6 +56,7 @@ class Plant:
         self.end: CellEnd | None = None
         self.ended_at = 0.0
         self.at_rest: float | None = None
+        self.fingers = self.cell.reflex.set_points
         self.approaches, self.sightings = 0, Sightings()
         self.phases: list[tuple[float, str]] = []
         self.delays: list[float] = []
@@ -92,7 +91,6 @@ class Plant:
             self.cell.tick()
             self.judge.feel()
             if self.cell.stopped is not None and self.end is None:
-                self.cell.hold(self.cell.stopped)
                 self._finish(CellEnd.STOPPED, now)
             tick += 1
 
@@ -136,15 +134,18 @@ class Plant:
             self._finish(order.end or CellEnd.OUT_OF_REACH, now)
 
     def _finish(self, end: CellEnd, now: float) -> None:
+        """Arm and hand stay as they are, unless the hand is to go on holding."""
         self.end, self.ended_at = end, now
+        if end is not CellEnd.HOLDS:
+            self.cell.hold(end.value)
 
     def look(self, now: float) -> None:
-        """Judge; after the end nothing may move any more."""
+        """Judge; after the end nothing may move any more, but a swinging cylinder may push a finger that is told to stay."""
         self.judge.look()
         if self.end is None:
             return
-        fingers = float(np.abs(self.cell.data.qvel[FINGERS]).max())
-        if self.judge.speed <= CREEP and fingers <= FINGER_CREEP:
+        fingers, self.fingers = self.fingers, self.cell.reflex.set_points
+        if self.judge.speed <= CREEP and self.fingers == fingers:
             self.at_rest = self.at_rest or now
         elif now - self.ended_at > TO_REST:
             self.judge.faults.add("moved after its end")

@@ -94,6 +94,8 @@ def run_trial(
             if order.why != phases[-1][1]:
                 phases.append((cell.time, order.why))
         left -= end is not None
+        if end is not None and end is not CellEnd.HOLDS:
+            cell.stopped = cell.stopped or end.value  # a hand that still closes stops
         if not cell.reply(programme.state.path.pose):
             end = CellEnd.OUT_OF_REACH
         for _ in range(TICKS):
