@@ -87,10 +87,23 @@ def test_what_hides_a_part_of_it_is_left_out_and_makes_it_less_sure():
         assert far_off(found, BODY) < 2.0 * found.sigma
 
 
+def test_however_much_a_finger_along_a_side_hides_the_answer_is_right_or_none():
+    random, middle = np.random.default_rng(3), CAMERA.pixels(np.array([BODY.x, BODY.y, -0.235]))
+    fingers = [Painter.table().cylinder(BODY).box(middle[0] - 60, 0, middle[0] + k, 240) for k in range(-24, 13, 3)]
+    told = [FINDER.find(each.seen(random)) for each in fingers]
+    found = [each for each in told if each is not None]
+    assert told[0] is not None and told[-1] is None
+    assert 4 <= len(found) <= 9
+    assert all(far_off(each, BODY) < 3.0 * each.sigma < 6e-4 for each in found)
+    assert found[-1].sigma > 1.5 * found[0].sigma
+
+
 def test_of_a_cylinder_nearly_all_hidden_nothing_is_said():
     random, middle = np.random.default_rng(3), CAMERA.pixels(np.array([BODY.x, BODY.y, -0.235]))
     half = Painter.table().cylinder(BODY).box(middle[0] - 8, 0, middle[0] + 60, 240)
     assert FINDER.find(half.seen(random)) is None
+    foot = Painter.table().cylinder(BODY).box(middle[0] - 60, 0, middle[0] + 60, middle[1] + 30)
+    assert FINDER.find(foot.seen(random)) is None
     assert FINDER.find(Painter.table().box(100, 20, 200, 220).seen(random)) is None
     assert FINDER.find(np.zeros((240, 320, 3), np.uint8)) is None
 
@@ -101,6 +114,22 @@ def test_other_things_of_its_colour_are_told_from_it():
     assert far_off(FINDER.find(larger.seen(random)), BODY) < 2e-4
     alone = Painter.table().box(120, 60, 220, 160, ORANGE)
     assert FINDER.find(alone.seen(random)) is None
+
+
+@pytest.mark.parametrize("rim", [{"low": BODY.low - 0.05}, {"high": BODY.high - 0.05}], ids=["longer", "shorter"])
+def test_a_cylinder_of_another_height_is_not_it(rim):
+    """Sides and one rim fit; but its colour goes on beyond the outline, or the table is seen within it."""
+    assert FINDER.find(Painter.table().cylinder(replace(BODY, **rim)).seen(np.random.default_rng(7))) is None
+
+
+def test_another_edge_close_by_is_not_taken_for_the_cylinder_s():
+    line = outline(CAMERA, BODY, 0.5)
+    side = line.pieces == 1
+    strip = np.concatenate([line.pixels[side], (line.pixels + 1.5 * line.out)[side][::-1]])
+    picture = Painter.table().polygon(strip, DARK).cylinder(BODY)
+    found = FINDER.find(picture.seen(np.random.default_rng(8)))
+    assert found.seen < 0.95
+    assert far_off(found, BODY) < 2.0 * found.sigma
 
 
 def test_a_lifted_cylinder_is_out_of_reach():

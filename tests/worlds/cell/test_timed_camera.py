@@ -54,6 +54,7 @@ def test_where_nothing_is_seen_nothing_is_sent_and_the_last_sighting_grows_old()
     camera = TimedCamera(settings, np.random.default_rng(2))
     for k in range(1000):
         camera.expose(k * 1e-3, lambda now: Sighting(now, 0.5, 0.0, 0.03, 1e-3) if now < 0.5 else None)
+        camera.look(k * 1e-3)
     seen = camera.look(2.0)
     assert seen is not None
     assert seen.stamp_s == pytest.approx(0.5, abs=1.0 / settings.rate)

@@ -30,7 +30,7 @@ BLUR, UNCLEAN = 1.6, 0.20
 """Width (px) of a clean edge; by which share of its step a profile may differ from one: more, and another edge is near."""
 LEAST_AREA, MOST_BLOBS = 60.0, 3
 """Of a blob (px); how many, the largest first, are tried one by one."""
-EDGE = 0.03
+EDGE = 0.02
 """By how much (px, standard deviation) all edges of one side or rim together may be seen too far out or in."""
 LIFT = 1e-4
 """By which the body is raised to see what that does (m)."""
@@ -42,8 +42,8 @@ REACH = 0.08
 """It is looked for so near (m) to where it is expected: lifted by the hand it seems nearer to the camera and larger."""
 BEYOND, MOST_STRAY = 4.0, 0.02
 """So far (px) beyond the outline nothing has the cylinder's colour, but for so small a share."""
-BRIGHT, MOST_THROUGH = 0.7, 0.03
-"""Within the outline hardly a share of the pixels is as bright, in blue, as so much of what lies beyond."""
+BRIGHT = 0.7
+"""What lies beyond the cylinder is, in blue, nearly as bright all around: less, and it is a hand in front of the edge."""
 GUESSES, WIDTHS = 12, (6, 4, 4)
 """Steps toward a guess, at most; half widths (px) of the searches for the edge."""
 
@@ -122,16 +122,7 @@ class CylinderFinder:
                 return None
             step = np.array([stepped.x - body.x, stepped.y - body.y, stepped.radius - body.radius])
             found, body = self._told(stepped, replace(edges, off=edges.off - edges.moves @ step)), stepped
-        return None if found is None or self._seen_through(blue, body) else found
-
-    def _seen_through(self, blue: Bytes, body: Upright) -> bool:
-        """Whether what is seen within the outline of ``body`` looks like what lies beyond it; a dark hand does not."""
-        line = outline(self.camera, body, 2.0 * SPACING)
-        levels = _levels(blue, (line.pixels + BEYOND * line.out)[None])
-        inside = np.zeros_like(blue)
-        cv2.fillConvexPoly(inside, (line.pixels - BEYOND * line.out).round().astype(np.int32), 1)
-        through = (blue > BRIGHT * np.median(levels)) & (inside > 0)
-        return bool(through.sum() > MOST_THROUGH * inside.sum())
+        return found
 
     def _edges(self, blue: Bytes, mask: Bytes, body: Upright, width: int) -> _Edges | None:
         """Where edges are beside the outline of ``body``; None where too few are."""
@@ -199,6 +190,7 @@ def _edge(blue: Bytes, pixels: Floats, out: Floats, width: int) -> tuple[Floats,
     height, breadth = blue.shape
     inside = ((places >= 0) & (places <= (breadth - 1, height - 1))).all(axis=(1, 2))
     good = inside & (outer > LEAST_BLUE) & (inner < 0.35 * outer)
+    good &= outer > BRIGHT * np.median(outer[good]) if good.any() else False
     share = (profile - inner[:, None]) / np.where(good, outer - inner, 1.0)[:, None]
     off = 0.5 * len(along) - share.sum(axis=1)
     clean = np.clip((along - off[:, None]) / BLUR + 0.5, 0.0, 1.0)

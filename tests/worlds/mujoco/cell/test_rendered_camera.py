@@ -79,8 +79,16 @@ def test_where_it_is_not_nothing_is_seen():
 @pytest.mark.parametrize("fault", [FaultKind.CAMERA_KILLED, FaultKind.FRAMES_FROZEN])
 def test_faults_of_the_camera_end_a_trial_as_with_the_other_eye(fault):
     settings = CellSettings(seed=3, fault=Fault(fault, 1.0))
-    camera = RenderedCamera(HAND, FLOATING_TASK, settings)
-    found = run_trial(HAND, FLOATING_TASK, settings, sight=camera.sight)
+    camera, frames = RenderedCamera(HAND, FLOATING_TASK, settings), []
+
+    def sight(qpos, now):
+        frames.append(now)
+        return camera.sight(qpos, now)
+
+    found = run_trial(HAND, FLOATING_TASK, settings, sight=sight)
+    assert frames == sorted(frames)
+    assert 25 < len(frames) <= 31
+    assert frames[-1] < 1.1  # a frozen camera shows the last picture again
     assert (found.outcome, found.unsafe) == ("no fresh sighting", ())
 
 
