@@ -151,6 +151,11 @@ def test_a_late_reply_stops_the_arm_safely_and_is_counted():
     assert result.seconds < 2.0
 
 
+def test_at_every_end_but_the_good_one_the_hand_is_stopped():
+    result = run_trial(HAND, TABLE_TASK, CellSettings(fault=Fault(FaultKind.CAMERA_KILLED, 0.9)))
+    assert (result.outcome, result.unsafe, result.trace[-1][1]) == ("no fresh sighting", (), "safe stop")
+
+
 def test_trials_depend_on_seed_and_number_only():
     trials = Trials(TaskKind.TABLE, 60, seed=8, fault=FaultKind.LATE_REPLY)
     k = min(range(60), key=lambda each: trials.settings(each).fault.start)

@@ -12,6 +12,7 @@ import time
 from dataclasses import replace
 from functools import partial
 
+import numpy as np
 import pytest
 
 pytest.importorskip("mujoco", reason="needs the extra palmar[mujoco]")
@@ -120,13 +121,17 @@ def test_a_plant_that_nobody_watches_stops_by_itself(monkeypatch):
     assert (plant.end, plant.cell.stopped) == (CellEnd.STOPPED, "nobody is watching")
 
 
-def test_what_moves_after_the_end_is_unsafe():
+@pytest.mark.parametrize("what", ["arm", "hand"])
+def test_what_moves_after_the_end_is_unsafe(what):
     plant = Plant(HAND, TABLE_TASK, CellSettings())
     plant.begin(0.0)
     plant.end, plant.ended_at = CellEnd.HOLDS, 0.0
     plant.look(1.0)
     assert plant.judge.faults == set()
-    plant.cell.order = replace(plant.cell.order, target=(1.0,) * 3)
+    if what == "hand":
+        plant.cell.order = replace(plant.cell.order, target=(1.0,) * 3)
+    else:
+        plant.cell.link.goal, plant.cell.link.until, plant.cell.link.rate = plant.cell.link.now, 1.0, np.full(6, 0.1)
     for _ in range(28):
         plant.cell.tick()
     plant.look(1.028)
