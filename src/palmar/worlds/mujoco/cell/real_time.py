@@ -87,7 +87,10 @@ def pose_sight(task: CellTask, settings: CellSettings) -> Callable[[], Sight]:
 
 def unfinished(outcome: str, wall: float, unsafe: tuple[str, ...] = ()) -> TrialResult:
     """Of a trial that never moved, or never came to an end of its own."""
-    return TrialResult(outcome, "none", unsafe, 0, 0.0, 0.0, wall, 0, 0, 0.0, 0.0, (), ())
+    return TrialResult(
+        outcome=outcome, end="none", unsafe=unsafe, approaches=0, error=0.0, seconds=0.0, wall=wall, requests=0, missed=0,
+        table_force=0.0, object_force=0.0, trace=(), phases=(),
+    )  # fmt: skip
 
 
 def _set_in(fault: Fault, timing: Timing, struck: float | None) -> float | None:
