@@ -44,7 +44,7 @@ def run(fault: str, task: str, k: int, seed: int) -> Run:
     at = timing.fault_s
     phase = None if at is None else ([what for when, what in result.phases if when <= at] or [None])[-1]
     return found | {
-        "fault_s": at, "phase": phase, "at_rest": timing.at_rest, "slipped": timing.slipped, "rank": timing.in_line,
+        "fault_s": at, "phase": phase, "at_rest": timing.at_rest, "slipped": timing.slipped, "rank": timing.ranked,
         "sightings": timing.sightings.model_dump(),
         "late_us": np.round(1e6 * timing.late).astype(int).tolist(),
         "replies_us": np.round(1e6 * timing.replies).astype(int).tolist(),

@@ -53,7 +53,7 @@ def timing_record(report: CellReport) -> dict[str, Any]:
             name: sum(getattr(each.sightings, name) for each in kept)
             for name in ("received", "stale", "dropped", "malformed")
         },
-        "real_time_priority": bool(kept) and all(each.in_line for each in kept),
+        "real_time_priority": bool(kept) and all(each.ranked for each in kept),
         "timings": [None if each is None else _of_one(each) for each in report.timings],
     }
 

@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 @dataclass(frozen=True)
 class Timing:
     """Of one run. ``late``: how late (s) each servo tick began; ``replies``: how long (s) each reply took; ``slipped``:
-    time (s) by which ticks were put off; ``in_line``: whether the system granted the servos a rank (SCHED_FIFO);
+    time (s) by which ticks were put off; ``ranked``: whether the system gave the servos real-time priority (SCHED_FIFO);
     ``ended``, ``at_rest``: when (s) the cell ended, and came to rest (None: never); ``fault_s``: when (s) the fault set in,
     None: not before the end.
     """
@@ -30,7 +30,7 @@ class Timing:
     missed: int
     malformed: int
     outdated: int
-    in_line: bool
+    ranked: bool
     ended: float
     sightings: Sightings = field(default_factory=Sightings)
     at_rest: float | None = None

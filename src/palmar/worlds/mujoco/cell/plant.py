@@ -61,7 +61,7 @@ class Plant:
         self.phases: list[tuple[float, str]] = []
         self.delays: list[float] = []
         self.told_to_stop = False
-        self.in_line = False
+        self.ranked = False
         self.epoch = 0.0
         self.pace = Pace(STEP, 0.0)
 
@@ -166,7 +166,7 @@ class Plant:
             missed=cell.link.missed,
             malformed=self.replies.malformed,
             outdated=self.exchange.outdated,
-            in_line=self.in_line,
+            ranked=self.ranked,
             sightings=self.sightings,
             ended=self.ended_at,
             at_rest=self.at_rest,
@@ -179,7 +179,7 @@ def run_plant(
 ) -> None:
     """The process: it tells its supervisor when the trial begins (monotonic, s; None: never), then what came of it."""
     plant = Plant(hand, task, settings)
-    plant.in_line = settle(PLANT_RANK)
+    plant.ranked = settle(PLANT_RANK)
     signal.signal(signal.SIGTERM, lambda *_: setattr(plant, "told_to_stop", True))
     with open_session(ports.plant) as session:
         plant.eye.box.listen(session, Key.FRAME)
