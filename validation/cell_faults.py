@@ -2,9 +2,9 @@
 
     python3 dev.py validate cell_faults [RUNS [SEED [JOBS]]]
 
-RUNS of each kind of fault (20), the first half of them at the table, the other half in the air, the fault setting in at a
-random time; and as many without a fault. JOBS runs at a time (1). Each has three processes; leave the machine alone
-meanwhile. Takes about 8 s a run and job. Every run is written to build/cell_faults_SEED.jsonl as it ends, and what stands
+RUNS of each kind of fault (20), half of them at the table, half in the air; in every second one the fault sets in at any time, in
+the others while the hand grasps, lifts or holds. And as many without a fault. JOBS runs at a time (1), each with three
+processes; leave the machine alone meanwhile. Takes about 9 s a run and job. Every run is written to build/cell_faults_SEED.jsonl as it ends, and what stands
 there is not run again: interrupt it as you like.
 """
 
@@ -15,19 +15,23 @@ import os
 import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from palmar.models.cell_task import TaskKind
-from palmar.studies.cell_real_time import run_one_in_real_time
+from palmar.models.salisbury_hand import SalisburyHand
 from palmar.studies.cell_trials import Trials
-from palmar.worlds.cell.faults import FaultKind
+from palmar.worlds.cell.faults import Fault, FaultKind
 from palmar.worlds.cell.process import ONE_THREAD
 from palmar.worlds.cell.timing import percentiles
+from palmar.worlds.mujoco.cell.real_time import run_in_real_time
 
 KINDS = [each for each in FaultKind if each is not FaultKind.NONE]
+GRASP_S = {"table": (5.0, 8.0), "floating": (2.2, 6.0)}
+"""When (s) a trial without a fault grasps, lifts and holds."""
 IN_GRASP = {"close", "lift", "hold", "stop the arm", "carry away"}
 Run = dict[str, Any]
 
@@ -35,7 +39,11 @@ Run = dict[str, Any]
 def run(fault: str, task: str, k: int, seed: int) -> Run:
     """One run, as it is written down; times in s, how late ticks were in whole microseconds."""
     trials = Trials(TaskKind(task), k + 1, seed, fault=FaultKind(fault))
-    trial = run_one_in_real_time(trials, k)
+    settings = trials.settings(k)
+    if k % 2:
+        start = float(np.random.default_rng([seed, k, 1]).uniform(*GRASP_S[task]))
+        settings = replace(settings, fault=Fault(trials.fault, start))
+    trial = run_in_real_time(SalisburyHand(), trials.task, settings, trials.error)
     result, timing = trial.result, trial.timing
     found: Run = {"fault": fault, "task": task, "k": k, "outcome": result.outcome, "end": result.end}
     found |= {"unsafe": list(result.unsafe), "missed": result.missed, "seconds": result.seconds, "wall": result.wall}
