@@ -90,8 +90,8 @@ def test_when_the_supervisor_goes_everyone_goes(how, tmp_path):
         time.sleep(0.2)
         os.kill(watcher.pid, how) if how is signal.SIGKILL else os.killpg(watcher.pid, how)
         sent = time.monotonic()
-        _, said = watcher.communicate(timeout=20.0)
-    assert time.monotonic() - sent < 8.0
+        _, said = watcher.communicate(timeout=40.0)
+    assert time.monotonic() - sent < 20.0
     assert said.count(b"Traceback") == (how is signal.SIGINT), "only the supervisor heard it"
 
 
