@@ -9,8 +9,8 @@ if TYPE_CHECKING:
     from palmar.studies.cell_trials import CellReport
 
 
-def cell_record(report: CellReport) -> dict[str, Any]:
-    """Of a report: counts, settings, and every trial."""
+def cell_record(report: CellReport, note: str | None = None) -> dict[str, Any]:
+    """Of a report: counts, settings, and every trial; ``note``: why the eye is not the one that was asked for."""
     asked = report.trials
     return {
         "task": asked.kind.value,
@@ -20,7 +20,8 @@ def cell_record(report: CellReport) -> dict[str, Any]:
         "failures": report.failures,
         "approaches": {str(number): count for number, count in report.approaches.items()},
         "late_replies": sum(each.missed for each in report.results),
-        "camera": "pose",
+        "eye": asked.eye.value,
+        "eye_note": note,
         "seed": asked.seed,
         "error_m": asked.error,
         "exact_error": asked.exact,

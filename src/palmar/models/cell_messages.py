@@ -34,6 +34,15 @@ class Eye(Protocol):
         ...
 
 
+class EyeKind(Enum):
+    """How the cell sees in lock-step trials."""
+
+    CAMERA = "camera"
+    """Frames are rendered and the cylinder is found in them."""
+    POSE = "pose"
+    """Sightings are made of the true pose, with noise."""
+
+
 class HandMode(Enum):
     """What the hand is told to do."""
 

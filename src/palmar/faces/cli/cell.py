@@ -13,8 +13,9 @@ from palmar.faces.cell_record import cell_record
 from palmar.faces.cli.behaviour_options import within
 from palmar.faces.cli.cell_film import film, known_ending
 from palmar.faces.cli.pool import counting, processes
-from palmar.faces.cli.printing import AsJson, Check, answer, show
+from palmar.faces.cli.printing import AsJson, Check, answer, progress, show
 from palmar.faces.cli.texts import table
+from palmar.models.cell_messages import EyeKind
 from palmar.models.cell_task import TaskKind
 from palmar.worlds.cell.faults import FaultKind
 
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 app = App(name="cell")
 MOST_TRIALS = 100_000
+EYES = {EyeKind.CAMERA: "rendered camera", EyeKind.POSE: "simulated-pose camera"}
 Number = Annotated[str, Parameter(allow_leading_hyphen=True)]
 
 
@@ -47,18 +49,26 @@ def run(
     fault: Annotated[
         str, Parameter(help="Let one thing fail at a time that is drawn: see `palmar cell faults`.")
     ] = "none",
+    eye: Annotated[
+        Literal["camera", "pose"],
+        Parameter(help="Render frames and find the cylinder in them, or make sightings of its true pose."),
+    ] = "pose",
     view: Annotated[Path | None, Parameter(help="Also film the first trial: gif, or mp4 (needs ffmpeg).")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
     """Seeded trials in lock-step simulated time; success is 100 mm away and held for 2 s, by contact alone."""
-    from palmar.studies.cell_trials import Trials, run_trials
+    from palmar.studies.cell_trials import Trials, eye_here, run_trials
 
     if not 1 <= trials <= MOST_TRIALS:
         raise InputError("--trials", str(trials), f"must be 1 to {MOST_TRIALS}")
     known_ending(view)
     if seed < 0:
         raise InputError("--seed", str(seed), "must not be negative")
+    fault_kind = _fault(fault)
+    used, note = eye_here(EyeKind(eye))
+    if note is not None:
+        progress(note)
     asked = Trials(
         TaskKind(task),
         trials,
@@ -68,12 +78,13 @@ def run(
         within("--tension-noise-n", tension_noise_n, 0.0, 100.0),
         1e-3 * within("--latency-ms", latency_ms, 0.0, 10_000.0),
         radians(within("--turn-deg", turn_deg, -30.0, 30.0)),
-        _fault(fault),
+        fault_kind,
+        used,
     )
     filmed = None if view is None else film(view, asked)
     with processes(min(trials, 64)) as pool, counting(trials, "trials") as report:
         found = run_trials(asked, pool if trials > 1 else None, report)
-    show(_text(found, filmed), cell_record(found) | ({} if filmed is None else {"view": filmed}), json)
+    show(_text(found, note, filmed), cell_record(found, note) | ({} if filmed is None else {"view": filmed}), json)
     answer(found.success == trials and not found.unsafe, check)
 
 
@@ -93,7 +104,7 @@ def _fault(name: str) -> FaultKind:
         ) from None
 
 
-def _text(report: CellReport, filmed: str | None) -> str:
+def _text(report: CellReport, note: str | None, filmed: str | None) -> str:
     asked, simulated = report.trials, sum(each.seconds for each in report.results)
     rows = [
         ("succeeded", f"{report.success} of {asked.number}"),
@@ -104,8 +115,8 @@ def _text(report: CellReport, filmed: str | None) -> str:
         ("late replies to the arm", str(sum(each.missed for each in report.results))),
         ("simulated", f"{simulated:.0f} s, {report.real_time_factor:.1f} times real time in each process"),
     ]
-    head = f"{asked.kind.value}: {asked.number} trials, seed {asked.seed}, simulated-pose camera"
-    return "\n".join([head, "", table(rows), *([] if filmed is None else ["", filmed])])
+    head = f"{asked.kind.value}: {asked.number} trials, seed {asked.seed}, {EYES[asked.eye]}"
+    return "\n".join([head, "", table(rows), *(f"\n{said}" for said in (note, filmed) if said is not None)])
 
 
 def _unsafe(report: CellReport) -> dict[str, int]:

@@ -6,6 +6,7 @@ get to know comes from joint angles, tendon tensions, palm bits and vision; the 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -22,6 +23,7 @@ from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, Curl, Salisb
 from palmar.worlds.cell.alter_mode import AlterMode
 from palmar.worlds.cell.faults import FaultKind
 from palmar.worlds.cell.pose_camera import PoseCamera
+from palmar.worlds.cell.timed_camera import TimedCamera
 from palmar.worlds.mujoco.cell.finger_sense import FingerSense
 from palmar.worlds.mujoco.cell.scene import STEP, cell_xml
 from palmar.worlds.mujoco.cell.settings import (
@@ -34,6 +36,8 @@ from palmar.worlds.mujoco.cell.settings import (
 from palmar.worlds.mujoco.engine import mujoco
 
 Floats = NDArray[np.float64]
+Sight = Callable[[Floats, float], Sighting | None]
+"""Of the cylinder at a joint state (nq,) and a time (s)."""
 ARM, FINGERS = slice(0, 6), slice(6, 15)
 ELBOW_UP = np.radians([18.0, 71.0, -202.0, 0.0, -49.0, -162.0])
 """Of the branches of the inverse, the one nearest to this is taken at the start."""
@@ -41,13 +45,17 @@ ELBOW_UP = np.radians([18.0, 71.0, -202.0, 0.0, -49.0, -162.0])
 
 @dataclass
 class Cell:
-    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers; ``eye``: None, the simulated camera."""
+    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers.
+
+    ``eye``: None, a camera in lock-step; ``sight``: what it sees in a frame, None, the true pose with noise.
+    """
 
     hand: SalisburyHand
     task: CellTask
     settings: CellSettings
     pose: Floats
     eye: Eye | None = None
+    sight: Sight | None = None
     trace: list[tuple[float, Owner]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -65,7 +73,8 @@ class Cell:
         self.order = HandOrder(HandMode.SHAPE, (curl.opened,) * 3, curl)
         self.reflex = ReflexState((curl.opened,) * 3)
         self.wanted = curl.joints(np.array(self.reflex.set_points))
-        self.camera = PoseCamera(self.settings.camera, self._axis, self.random, self.settings.fault)
+        self.pose_camera = PoseCamera(self.settings.camera, self.random)
+        self.camera = TimedCamera(self.settings.camera, self.random, self.settings.fault)
         self.stopped: str | None = None
         self.sighting: Sighting | None = None
         self.touched, self.palm = [False] * 3, [False] * 2
@@ -88,9 +97,11 @@ class Cell:
         """Seconds since the start."""
         return float(self.data.time)
 
-    def _axis(self) -> tuple[float, float, float]:
-        x, y, _ = self.data.xpos[self.object]
-        return float(x), float(y), self.task.cylinder.radius
+    def _frame(self, now: float) -> Sighting | None:
+        if self.sight is not None:
+            return self.sight(self.data.qpos, now)
+        x, y, _ = self.data.xpos[self.object].tolist()
+        return self.pose_camera.sight(now, x, y, self.task.cylinder.radius)
 
     def seen(self) -> CellSeen:
         """What a behaviour is told now; touches since the last call are kept until it is."""
@@ -133,7 +144,8 @@ class Cell:
     def tick(self) -> None:
         """One servo tick and one step of physics."""
         data, now = self.data, self.time
-        self.camera.expose(now)
+        if self.eye is None:
+            self.camera.expose(now, self._frame)
         felt = self._feel(now)
         self.reflex = reflex_step(self.reflex, felt, self.order, self.stopped is not None, STEP)
         if not self.trace or self.trace[-1][1] is not self.reflex.owner:

@@ -7,6 +7,8 @@ and tilts; the thread at its end is taut or slack, it only pulls. Its counterwei
 
 from __future__ import annotations
 
+from math import atan2, cos, degrees, pi, sin
+
 from palmar.models.cell_task import TABLE_TOP, CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.mujoco.cell.hand_body import hand_body
@@ -18,6 +20,10 @@ THREAD, BAR = 0.50, 0.40
 """Length (m) of the thread; half length of the bar."""
 PADDING = 0.015
 """Time (s) in which the palm's rubber gives way: it softens what the moving arm does to a standing cylinder."""
+EYE_DISTANCE, EYE_DOWN, EYE_FIELD = 0.70, 0.55, 0.07
+"""Of the camera from the cylinder's place (m); how far down it looks (rad); what it sees around the cylinder (m)."""
+EYE_TURN = {TaskKind.TABLE: 0.5 * pi, TaskKind.FLOATING: 0.6, TaskKind.ALIGN: 0.6}
+"""Where it stands about the cylinder, from x toward y (rad)."""
 OBJECT, TABLE, HAND, FINGER = 1, 2, 4, 8
 """Collision bits."""
 
@@ -38,7 +44,7 @@ def cell_xml(hand: SalisburyHand, task: CellTask) -> str:
     <geom name="floor" type="plane" pos="0 0 -0.6718" size="2 2 0.1" class="seen" rgba="0.86 0.87 0.88 1"/>
     {"" if floating else _table()}{puma_body(hand_body(hand))}{_cylinder(task)}{_bar(task) if floating else ""}
     <camera name="film" pos="{x + 0.66} {y - 1.05} {z + (0.35 if floating else 0.45)}" fovy="{34 if floating else 30}"
-    xyaxes="0.80 0.60 0 -0.17 0.23 0.96"/>
+    xyaxes="0.80 0.60 0 -0.17 0.23 0.96"/>{_eye(task)}
     </worldbody>{_thread() if floating else ""}<actuator>{motors}</actuator>
     <sensor><touch site="pad_0"/><touch site="pad_1"/></sensor></mujoco>"""
 
@@ -60,6 +66,22 @@ def _classes(task: CellTask) -> str:
 def _table() -> str:
     return f"""<geom name="table" type="plane" pos="0.5 0 {TABLE_TOP}" size="0.35 0.45 0.05" contype="{TABLE}"
     conaffinity="{OBJECT | HAND}" friction="0 0 0" solref="0.004 1" rgba="0.80 0.74 0.64 1"/>"""
+
+
+def _eye(task: CellTask) -> str:
+    """The camera of vision, where neither the open hand nor the arm comes between: it looks down from aside.
+
+    A hand from above has the gap between two fingers toward y; one that comes along x is behind the cylinder, and so is
+    the pedestal unless the camera is turned away from it.
+    """
+    turn = EYE_TURN[task.kind]
+    cosine, sine, out, up = cos(turn), sin(turn), cos(EYE_DOWN), sin(EYE_DOWN)
+    x, y, z = (
+        there + EYE_DISTANCE * way for there, way in zip(task.place, (out * cosine, out * sine, up), strict=True)
+    )
+    fovy = 2.0 * atan2(EYE_FIELD + 0.5 * task.cylinder.height, EYE_DISTANCE)
+    return f"""<camera name="eye" pos="{x} {y} {z}" fovy="{degrees(fovy)}"
+    xyaxes="{-sine} {cosine} 0 {-up * cosine} {-up * sine} {out}"/>"""
 
 
 def _cylinder(task: CellTask) -> str:

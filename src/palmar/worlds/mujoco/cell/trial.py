@@ -15,7 +15,7 @@ from palmar.behaviours.cell.table_pick import TablePick
 from palmar.models.cell_messages import CellEnd, CellOrder, Eye
 from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
-from palmar.worlds.mujoco.cell.cell import Cell
+from palmar.worlds.mujoco.cell.cell import Cell, Sight
 from palmar.worlds.mujoco.cell.judge import CREEP, TOPPLED, Judge
 from palmar.worlds.mujoco.cell.settings import CellSettings
 
@@ -83,10 +83,11 @@ def run_trial(
     error: float = 0.0,
     watch: Callable[[Cell], None] | None = None,
     eye: Eye | None = None,
+    sight: Sight | None = None,
 ) -> TrialResult:
-    """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``: None, the simulated camera."""
+    """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``, ``sight``: as the cell's."""
     began = perf_counter()
-    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye)
+    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye, sight)
     behaviour, judge = behaviour_for(hand, task, error), Judge(cell)
     state = behaviour.begin(cell.pose, 0.0)
     end: CellEnd | None = None
