@@ -4,8 +4,9 @@
 
 RUNS of each kind of fault (20), half of them at the table, half in the air. In every second one the fault sets in at any
 time, in the others while the hand grasps, lifts or holds. And as many without a fault. JOBS runs at a time (1), each with
-three processes; leave the machine alone meanwhile. Takes about 9 s a run and job. Every run is written to
-build/cell_faults_SEED.jsonl as it ends, and what stands there is not run again: interrupt it as you like.
+three processes; leave the machine alone meanwhile. Takes about 9 s a run and job: 20 runs of each with 2 jobs, 16 minutes.
+Every run is written to build/cell_faults_SEED.jsonl as it ends, and what stands there is not run again: interrupt it as
+you like.
 """
 
 from __future__ import annotations
