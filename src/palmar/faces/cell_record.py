@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from palmar.behaviours.cell.grasp_height import GraspHeights
+    from palmar.studies.cell_prediction import Predicted
     from palmar.studies.cell_trials import CellReport
 
 
@@ -31,4 +34,33 @@ def cell_record(report: CellReport) -> dict[str, Any]:
         "simulated_s": sum(each.seconds for each in report.results),
         "real_time_factor": report.real_time_factor,
         "results": [asdict(each) for each in report.results],
+    }
+
+
+def prediction_record(task: str, found: tuple[Predicted, ...], heights: GraspHeights | None) -> dict[str, Any]:
+    """Of `palmar cell predict`: radii of the errors that are allowed, and for a pick at which heights the tips push."""
+    return {
+        "task": task,
+        "certain": [
+            {
+                "approaches": each.approaches,
+                "error_m": each.error,
+                "along_across_m": each.along_across,
+                "why": each.why,
+                "guarantee": each.guarantee.value,
+            }
+            for each in found
+        ],
+        "heights": None if heights is None else heights_record(heights),
+    }
+
+
+def heights_record(heights: GraspHeights) -> dict[str, Any]:
+    """Of the palm and the tips over the table (m), as `GraspHeights` has them."""
+    return {
+        "palm_m": [heights.lowest, heights.highest],
+        "pushes_m": list(heights.pushes),
+        "slides_up_to_m": None if heights.bound == inf else heights.bound,
+        "topples_at_rim_m": heights.rim,
+        "refusal": heights.refusal,
     }
