@@ -6,10 +6,15 @@ from dataclasses import asdict
 from math import inf
 from typing import TYPE_CHECKING, Any
 
+from palmar.geometry.planar_set import coordinates
+
 if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
     from palmar.behaviours.cell.grasp_height import GraspHeights
     from palmar.studies.cell_prediction import Predicted
     from palmar.studies.cell_trials import CellReport
+    from palmar.studies.cell_workspace import Workspace
 
 
 def cell_record(report: CellReport) -> dict[str, Any]:
@@ -63,4 +68,28 @@ def heights_record(heights: GraspHeights) -> dict[str, Any]:
         "slides_up_to_m": None if heights.bound == inf else heights.bound,
         "topples_at_rim_m": heights.rim,
         "refusal": heights.refusal,
+    }
+
+
+def workspace_record(
+    task: str, found: Workspace, at: tuple[float, float], error: float, region: BaseGeometry
+) -> dict[str, Any]:
+    """Of `palmar cell workspace`: GeoJSON coordinates in m, of places in the base, of the region about the axis."""
+    with_error, served = found.with_error(error), found.served(region, at)
+    return {
+        "task": task,
+        "guarantee": found.guarantee.value,
+        "spacing_m": found.spacing,
+        "palm_heights_m": list(found.heights),
+        "area_m2": found.places.area,
+        "places": coordinates(found.places),
+        "error_m": error,
+        "area_with_error_m2": with_error.area,
+        "places_with_error": coordinates(with_error),
+        "at_m": list(at),
+        "room_m": found.room(at),
+        "served": found.room(at) >= error,
+        "region_area_m2": region.area,
+        "region_served": coordinates(served),
+        "region_share": served.area / region.area,
     }

@@ -12,7 +12,7 @@ from palmar.errors import InputError
 from palmar.faces.cell_record import cell_record
 from palmar.faces.cli.behaviour_options import within
 from palmar.faces.cli.cell_film import film, known_ending
-from palmar.faces.cli.cell_theory import predict
+from palmar.faces.cli.cell_theory import predict, workspace
 from palmar.faces.cli.pool import counting, processes
 from palmar.faces.cli.printing import AsJson, Check, answer, show
 from palmar.faces.cli.texts import table
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 app = App(name="cell")
 app.command(predict)
+app.command(workspace)
 MOST_TRIALS = 100_000
 Number = Annotated[str, Parameter(allow_leading_hyphen=True)]
 
