@@ -83,3 +83,14 @@ def test_without_feeling_only_a_certain_closing_is_a_move():
     blind = Reasoning(SalisburyHand(), STANDING, feel=False)
     assert isinstance(blind.first(0.021, 4), Closing)
     assert blind.first(0.025, 4) is None
+
+
+def test_a_tip_that_slides_off_the_rim_unfelt_has_pushed_the_cylinder_aside():
+    stand = Stand(0.0, 0.0, 0.0, 0.025)
+    tip = np.array(stand.tips[0])
+    outward = tip / np.linalg.norm(tip)
+    before = around(tuple(tip + (REACH.rho - 0.004) * outward), 0.003)
+    after = dict(REACH.outcomes(before, stand))[("nothing",)]
+    assert after.contains(shapely.Point(tip + (REACH.rho + 1e-4) * outward))
+    assert not before.contains(shapely.Point(tip + (REACH.rho + 1e-4) * outward))
+    assert after.distance(shapely.Point(tip)) == pytest.approx(REACH.rho - REACH.pose_error, abs=1e-4)
