@@ -58,7 +58,7 @@ def drawn(task: CellTask, random: np.random.Generator) -> Floats:
         unmount[2, 3] = -HAND.mount
         joints = nearest(pose @ unmount, ELBOW_UP)
     curl = TIP_PREHENSION if task.kind is TaskKind.TABLE else CYLINDRIC
-    fingers = curl.joints(random.uniform(HAND.open_curl, 0.5, 3)).ravel()
+    fingers = curl.joints(random.uniform(curl.opened, 0.5, 3)).ravel()
     hanging = task.kind is TaskKind.FLOATING
     raised, tilt = BOB[task.kind] * random.standard_normal(), TILT * hanging * random.standard_normal(2)
     return np.array([*joints, *fingers, x, y, task.place[2] + raised, 1.0, *(0.5 * tilt), 0.0])

@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from math import inf
 from typing import TYPE_CHECKING, Any
 
+from palmar.geometry.planar_set import coordinates
+
 if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+    from palmar.behaviours.cell.grasp_height import GraspHeights
+    from palmar.studies.cell_prediction import Predicted
     from palmar.studies.cell_trials import CellReport
+    from palmar.studies.cell_workspace import Workspace
     from palmar.worlds.cell.timing import Timing
 
 
@@ -65,4 +73,57 @@ def _of_one(timing: Timing) -> dict[str, Any]:
         "real_time_factor": timing.simulated / timing.wall,
         "most_late_s": float(timing.late.max()),
         "slowest_reply_s": float(timing.replies.max()) if len(timing.replies) else None,
+    }
+
+
+def prediction_record(task: str, found: tuple[Predicted, ...], heights: GraspHeights | None) -> dict[str, Any]:
+    """Of `palmar cell predict`: radii of the errors that are allowed, and for a pick at which heights the tips push."""
+    return {
+        "task": task,
+        "certain": [
+            {
+                "approaches": each.approaches,
+                "error_m": each.error,
+                "along_across_m": each.along_across,
+                "why": each.why,
+                "guarantee": each.guarantee.value,
+            }
+            for each in found
+        ],
+        "heights": None if heights is None else heights_record(heights),
+    }
+
+
+def heights_record(heights: GraspHeights) -> dict[str, Any]:
+    """Of the palm and the tips over the table (m), as `GraspHeights` has them."""
+    return {
+        "palm_m": [heights.lowest, heights.highest],
+        "pushes_m": list(heights.pushes),
+        "slides_up_to_m": None if heights.bound == inf else heights.bound,
+        "topples_at_rim_m": heights.rim,
+        "refusal": heights.refusal,
+    }
+
+
+def workspace_record(
+    task: str, found: Workspace, at: tuple[float, float], error: float, region: BaseGeometry
+) -> dict[str, Any]:
+    """Of `palmar cell workspace`: GeoJSON coordinates in m, of places in the base, of the region about the axis."""
+    with_error, served = found.with_error(error), found.served(region, at)
+    return {
+        "task": task,
+        "guarantee": found.guarantee.value,
+        "spacing_m": found.spacing,
+        "palm_heights_m": list(found.heights),
+        "area_m2": found.places.area,
+        "places": coordinates(found.places),
+        "error_m": error,
+        "area_with_error_m2": with_error.area,
+        "places_with_error": coordinates(with_error),
+        "at_m": list(at),
+        "room_m": found.room(at),
+        "served": found.room(at) >= error,
+        "region_area_m2": region.area,
+        "region_served": coordinates(served),
+        "region_share": served.area / region.area,
     }

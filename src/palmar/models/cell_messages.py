@@ -155,6 +155,7 @@ class CellEnd(Enum):
     SENSOR_FAULT = "sensor fault"
     STOPPED = "stopped"
     OUT_OF_REACH = "out of reach"
+    WOULD_TOPPLE = "would topple"
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ def programme_for(
 ) -> Programme[Picking] | Programme[Catching]:
     """From a pose of the hand frame (4, 4) and a time (s) on; ``error`` (m) bounds vision's systematic error."""
     if task.kind is TaskKind.TABLE:
-        pick = TablePick(hand, task.place[2] + 0.5 * task.cylinder.height, error)
+        pick = TablePick(hand, task.cylinder, task.place[2] + 0.5 * task.cylinder.height, error)
         return Programme(pick, pick.begin(pose, time))
     catch = FloatingCatch(hand, task.place[2], align=task.kind is TaskKind.ALIGN)
     return Programme(catch, catch.begin(pose, time))

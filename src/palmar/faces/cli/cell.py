@@ -12,6 +12,7 @@ from palmar.errors import InputError
 from palmar.faces.cell_record import cell_record, timing_record
 from palmar.faces.cli.behaviour_options import within
 from palmar.faces.cli.cell_film import film, known_ending
+from palmar.faces.cli.cell_theory import predict, workspace
 from palmar.faces.cli.pool import Count, counting, processes
 from palmar.faces.cli.printing import AsJson, Check, answer, progress, show
 from palmar.faces.cli.texts import table
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from palmar.studies.cell_trials import CellReport, Trials
 
 app = App(name="cell")
+app.command(predict)
+app.command(workspace)
 MOST_TRIALS = 100_000
 EYES = {EyeKind.CAMERA: "rendered camera", EyeKind.POSE: "simulated-pose camera"}
 Number = Annotated[str, Parameter(allow_leading_hyphen=True)]

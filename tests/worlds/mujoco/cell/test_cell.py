@@ -128,6 +128,21 @@ def test_a_blow_of_one_tick_is_noticed_with_the_engine_s_own_force():
     assert judge.faults == {f"pressed the object with more than {OBJECT_FORCE:g} N"}
 
 
+def test_a_cylinder_that_is_not_known_well_enough_is_felt_for_first():
+    result = run_one((Trials(TaskKind.TABLE, 1, seed=1, error=0.03, exact=True), 0))
+    assert (result.outcome, result.unsafe) == ("success", ())
+    order = [what for _, what in result.phases]
+    assert order.index("lower narrow fingers to feel") < order.index("lower the open hand") < order.index("close")
+
+
+def test_one_that_would_topple_is_left_alone():
+    from dataclasses import replace
+
+    tall = replace(TABLE_TASK, cylinder=replace(TABLE_TASK.cylinder, height=0.28))
+    result = run_trial(HAND, tall, CellSettings(seed=1))
+    assert (result.outcome, result.object_force, result.unsafe) == ("would topple", 0.0, ())
+
+
 def test_without_friction_nothing_is_held():
     """What holds the cylinder is friction, so without it the trial must fail."""
     from dataclasses import replace

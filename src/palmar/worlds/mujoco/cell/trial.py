@@ -26,6 +26,14 @@ LONGEST = 40.0
 """A trial that has not ended after this (s) never will."""
 AFTERWARDS = 0.3
 """How long (s) the cell is watched after its end."""
+BY_ITSELF = (
+    CellEnd.STOPPED,
+    CellEnd.NO_FRESH_SIGHTING,
+    CellEnd.SENSOR_FAULT,
+    CellEnd.OUT_OF_REACH,
+    CellEnd.WOULD_TOPPLE,
+)
+"""Ends that say why there was no success."""
 DOWN = np.diag([1.0, -1.0, -1.0])
 AHEAD = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
 """Rotations of the hand frame: palm down, palm forward with the cylinder's axis along the hand's x."""
@@ -145,7 +153,7 @@ def _why(judge: Judge, end: CellEnd | None) -> str:
     """Why a trial was no success, for people."""
     if end is None:
         return "timeout"
-    if end in (CellEnd.STOPPED, CellEnd.NO_FRESH_SIGHTING, CellEnd.SENSOR_FAULT, CellEnd.OUT_OF_REACH):
+    if end in BY_ITSELF:
         return str(end.value)
     if end in (CellEnd.LOST_GRIP, CellEnd.HOLDS):
         return "slipped"
