@@ -21,12 +21,12 @@ from palmar.studies.cell_trials import TASKS, CellReport, Trials, run_trials
 from palmar.worlds.cell.faults import FaultKind
 
 ERRORS = {
-    TaskKind.TABLE: (0.0, 0.005, 0.010, 0.015, 0.020, 0.025, 0.030, 0.040, 0.050),
-    TaskKind.FLOATING: (0.0, 0.010, 0.020, 0.030, 0.040, 0.050, 0.060),
+    TaskKind.TABLE: (0.0, 0.010, 0.020, 0.030, 0.040, 0.050, 0.060),
+    TaskKind.FLOATING: (0.0, 0.010, 0.020, 0.030, 0.040, 0.060),
 }
-NOISES = (0.5, 2.0, 5.0, 10.0, 20.0)
-LATENCIES = (0.010, 0.040, 0.100, 0.150, 0.190, 0.250)
-TURNS = (0.0, 5.0, 10.0, 15.0, 20.0)
+NOISES = (0.5, 5.0, 10.0, 20.0)
+LATENCIES = (0.010, 0.100, 0.190, 0.250)
+TURNS = (0.0, 10.0, 20.0)
 FIXED = 0.015
 """Vision's error (m) where something else varies."""
 

@@ -20,7 +20,7 @@ from shapely import MultiPolygon, Point, affinity, box
 from shapely.geometry.base import BaseGeometry
 
 from palmar.behaviours.cell.belief import reach_of
-from palmar.behaviours.cell.floating_catch import AWAY, BEYOND, STAND_OFF
+from palmar.behaviours.cell.floating_catch import BEYOND, STAND_OFF
 from palmar.behaviours.cell.table_pick import LIFT, TablePick
 from palmar.geometry.planar_set import areal
 from palmar.mechanics.arm.puma_560 import LOWER, UPPER, inverse
@@ -92,8 +92,7 @@ def hand_way(hand: SalisburyHand, task: CellTask) -> Floats:
         turn = DOWN
     else:
         turn, height = AHEAD, np.array([0.0, 0.0, task.place[2]])
-        far = max(STAND_OFF, task.cylinder.radius + AWAY)
-        start, end = (height - turn @ (0.0, hand.grasp_line, each) for each in (far, -BEYOND))
+        start, end = (height - turn @ (0.0, hand.grasp_line, each) for each in (STAND_OFF, -BEYOND))
     share = np.linspace(0.0, 1.0, ceil(float(np.linalg.norm(end - start)) / STEP) + 1)[:, None]
     poses = np.tile(np.eye(4), (len(share), 1, 1))
     poses[:, :3, :3], poses[:, :3, 3] = turn, start + share * (end - start)

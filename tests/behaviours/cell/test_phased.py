@@ -61,6 +61,6 @@ def closing(since: float) -> Picking:
     ],
 )
 def test_a_palm_that_feels_something_after_it_has_drawn_back_is_stuck(waited, palm, touched, end):
-    pick = TablePick(HAND, 0.0, 0.005)
+    pick = TablePick(HAND, TABLE_TASK.cylinder, 0.0, 0.005)
     _, order = pick.step(closing(0.0), replace(SEEN, time=waited, palm=palm, touched=touched))
     assert order.end is end

@@ -27,8 +27,8 @@ from palmar.models.salisbury_hand import CYLINDRIC, SalisburyHand
 Floats = NDArray[np.float64]
 WATCHED = 0.8
 """How long (s) the rest position is watched before the arm moves."""
-STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.18
-"""Palm to the axis at the start of the drive; how far past the rest position it goes; how far off it is at the end (m)."""
+STAND_OFF, BEYOND = 0.16, 0.06
+"""Palm to the rest position at the start of the drive and at the end, with what is held; how far past it it goes (m)."""
 GENTLE, TURNING, TURNED = 0.02, 0.15, 5.0
 """With alignment: speed of the drive (m/s), rate of turning (rad/s), and the longest time (s) for it."""
 UP = np.array([0.0, 0.0, 1.0])
@@ -167,7 +167,7 @@ class FloatingCatch(Phased[Catching]):
             return state
         if not seen.gripped:
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
-        away = state.path.place + LIFT * UP if self.align else self._goal(state, AWAY)
+        away = state.path.place + LIFT * UP if self.align else self._goal(state, STAND_OFF)
         return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=tuple(away))
 
     def _carry(self, state: Catching, seen: CellSeen) -> Catching:
