@@ -131,7 +131,7 @@ def _spread(given: dict[str, Any], where: str) -> tuple[Spread, tuple[float, ...
 
 
 def _check_ends(sweep: Sweep, name: str) -> None:
-    """The least and the greatest number of each axis must be allowed in the case, the others as they are; a normal's mean."""
+    """Least and greatest number of each axis must be allowed, the others as they are; a normal one's mean."""
     for axis in sweep.axes:
         for value in axis.numbers[:1] if axis.spread is Spread.NORMAL else (min(axis.numbers), max(axis.numbers)):
             try:

@@ -160,7 +160,7 @@ def test_questions_in_sql(tmp_path):
     assert len({row[0] for row in binned}) == 3
     with pytest.raises(InputError, match="nonsense"):
         query(store, "SELECT nonsense FROM sweep")
-    with pytest.raises(InputError, match="must be one of row, object.radius_mm"):
+    with pytest.raises(InputError, match="must be one of row, object"):
         mean_by(store, "caugth", ["row"], 3)
     with pytest.raises(InputError, match="holds no sweep"):
         status(Store(str(tmp_path / "none")))

@@ -39,7 +39,7 @@ class OnDask:
         self, sweep: Sweep, url: str, todo: Iterator[tuple[int, tuple[int, int]]]
     ) -> Iterator[tuple[int, int, float]]:
         """Shards as they are done, two for each thread of the workers under way."""
-        under_way = as_completed()
+        under_way = as_completed(loop=self._client.loop)
         for shard, stretch in islice(todo, 2 * max(1, sum(self._client.nthreads().values()))):
             under_way.add(self._submit(sweep, url, shard, stretch))
         for done in under_way:
@@ -54,10 +54,16 @@ class OnDask:
 
 @contextmanager
 def dask_engine(address: str) -> Iterator[OnDask]:
-    """The cluster whose scheduler listens at an address; raises InputError if none does."""
+    """The cluster whose scheduler listens at an address; raises InputError if none does, or it has another palmar."""
     try:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise InputError("--address", repr(address[:80]), f"no Dask scheduler answers: {error}") from None
     with client:
-        yield OnDask(client)
+        try:
+            yield OnDask(client)
+        except RuntimeError as error:
+            if "deserialization" not in str(error):
+                raise
+            told = "its scheduler and workers need the same palmar as here"
+            raise InputError("--address", repr(address[:80]), told) from None
