@@ -102,9 +102,7 @@ def ten(folder: Path) -> bool:
         time.sleep(0.5)
     took, quarter = time.perf_counter() - began, len(seen) // 4
     early, late = (max(kb for _, kb in part) / 1024 for part in (seen[quarter : 2 * quarter], seen[3 * quarter :]))
-    print(
-        f"ten: 10^7 rows in {took:.1f} s; memory of all processes {early:.0f} MB in the second quarter, {late:.0f} MB in the last"
-    )
+    print(f"ten: 10^7 rows in {took:.1f} s; memory {early:.0f} MB in the second quarter, {late:.0f} MB in the last")
     shutil.rmtree(out)
     return run.returncode == 0 and late < 1.15 * early
 

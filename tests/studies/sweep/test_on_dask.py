@@ -29,10 +29,12 @@ def test_a_cluster_writes_the_rows_that_this_process_makes(tmp_path):
     store = Store(str(tmp_path))
     store.begin(Manifest(SWEEP.digest, SWEEP.rows, 7, "simulate"))
     quiet = {"dashboard_address": None, "scheduler_kwargs": {"dashboard": False}}
-    with LocalCluster(n_workers=1, threads_per_worker=1, processes=False, **quiet) as cluster:
-        with dask_engine(cluster.scheduler_address) as engine:
-            assert engine.rate(SWEEP) > 10.0
-            done = run_sweep(SWEEP, store, engine)
+    with (
+        LocalCluster(n_workers=1, threads_per_worker=1, processes=False, **quiet) as cluster,
+        dask_engine(cluster.scheduler_address) as engine,
+    ):
+        assert engine.rate(SWEEP) > 10.0
+        done = run_sweep(SWEEP, store, engine)
     assert (done.rows, done.shards) == (60, 9)
     rows = query(store, "SELECT * FROM sweep ORDER BY row").rows
     assert rows == tuple(tuple(row.values()) for row in shard_table(SWEEP, 0, 60).to_pylist())
