@@ -49,6 +49,11 @@ def parse_case(text: str, name: str = "case") -> Case:
         raw = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(name, None, f"is not valid TOML: {str(error) or 'nested too deep'}") from None
+    return build_case(raw, name)
+
+
+def build_case(raw: dict[str, Any], name: str = "case") -> Case:
+    """The case in tables as TOML has them; ``name`` stands for the file in error messages."""
     for section in raw:
         _known(section, _SECTIONS, name, "section")
     ranges: list[Range] = []
