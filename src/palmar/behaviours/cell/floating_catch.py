@@ -27,8 +27,8 @@ from palmar.models.salisbury_hand import CYLINDRIC, SalisburyHand
 Floats = NDArray[np.float64]
 WATCHED = 0.8
 """How long (s) the rest position is watched before the arm moves."""
-STAND_OFF, BEYOND = 0.16, 0.06
-"""Palm to the rest position at the start of the drive and at the end, with what is held; how far past it it goes (m)."""
+STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.115
+"""Palm to the rest position at the start of the drive; how far past it it goes; least way of what is carried away (m)."""
 GENTLE, TURNING, TURNED = 0.02, 0.15, 5.0
 """With alignment: speed of the drive (m/s), rate of turning (rad/s), and the longest time (s) for it."""
 UP = np.array([0.0, 0.0, 1.0])
@@ -131,7 +131,8 @@ class FloatingCatch(Phased[Catching]):
         if any(seen.palm) and self.align:
             return replace(state, phase=Phase.ALIGN, since=seen.time, path=halt(state.path))
         if any(seen.palm):
-            return self._closing(replace(state, phase=Phase.CLOSING, since=seen.time), seen)
+            touched = replace(state, phase=Phase.CLOSING, since=seen.time, away=tuple(self._away(state)))
+            return self._closing(touched, seen)
         blind = self.blind(state, seen)
         if blind is not None:
             return blind
@@ -167,8 +168,14 @@ class FloatingCatch(Phased[Catching]):
             return state
         if not seen.gripped:
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
-        away = state.path.place + LIFT * UP if self.align else self._goal(state, STAND_OFF)
-        return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=tuple(away))
+        away = tuple(state.path.place + LIFT * UP) if self.align else state.away
+        return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=away)
+
+    def _away(self, state: Catching) -> Floats:
+        """Back to where the drive began, or by AWAY from where the palm felt the cylinder, whichever is further."""
+        ahead, begun = state.path.pose[:3, 2], self._goal(state, STAND_OFF)
+        back = state.path.place - AWAY * ahead
+        return back if (begun - back) @ ahead > 0.0 else begun
 
     def _carry(self, state: Catching, seen: CellSeen) -> Catching:
         if lost(state.gripped_at, seen):
