@@ -61,3 +61,20 @@ STEPS: dict[Kind, tuple[Step, ...]] = {
     Kind.WRITE_TOML: (_QUICK,),
     Kind.EXPORT: (Step(Lane.LONG, 300.0),),
 }
+
+DRAWN = ("svg", "pdf", "png")
+EXPORTS: dict[str, tuple[str, ...]] = {
+    "region": (*DRAWN, "dxf", "geojson", "csv", "json"),
+    "comparison": DRAWN,
+    "solid": ("stl", "ply", "glb"),
+    "film": ("gif", "html", "mp4"),
+    "trace": ("json", "csv", "gif", *DRAWN),
+    "simulation": ("json",),
+    "plan": (*DRAWN, "gif", "json"),
+    "map": (*DRAWN, "json"),
+    "closure": ("json",),
+    "report": ("html",),
+    "figure": DRAWN,
+    "case": ("toml",),
+}
+"""What is written as a file, and as which."""
