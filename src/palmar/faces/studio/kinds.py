@@ -27,6 +27,7 @@ class Kind(Enum):
 
     LOOK = "look"
     SIMULATE = "simulate"
+    BEHAVIOUR_REGION = "behaviour_region"
     PAINT = "paint"
     PLAN = "plan"
     TESTBED = "testbed"
@@ -49,6 +50,7 @@ _QUICK, _LONG = Step(Lane.QUICK, 3.0), Step(Lane.LONG, 60.0)
 STEPS: dict[Kind, tuple[Step, ...]] = {
     Kind.LOOK: (_QUICK, Step(Lane.LONG, 10.0), Step(Lane.LONG, 120.0, PAUSE)),
     Kind.SIMULATE: (Step(Lane.LONG, 20.0),),
+    Kind.BEHAVIOUR_REGION: (_LONG, Step(Lane.LONG, 300.0)),
     Kind.PAINT: (Step(Lane.LONG, 10.0), Step(Lane.LONG, 60.0, PAUSE)),
     Kind.PLAN: (Step(Lane.LONG, 120.0),),
     Kind.TESTBED: (Step(Lane.LONG, 20.0), _LONG),
