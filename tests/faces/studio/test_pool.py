@@ -99,6 +99,22 @@ def test_the_newest_question_wins_and_what_waits_is_dropped(monkeypatch):
     assert len(anna.parts) < 15
 
 
+def test_of_a_question_that_something_newer_replaces_the_step_that_runs_is_the_last(monkeypatch):
+    async def scenario(pool):
+        anna = Asker()
+        first, second = question(anna, 1, sleep=0.1), question(anna, 2)
+        pool.submit(first)
+        while not any(seat.job is first for seat in pool.seats):
+            await asyncio.sleep(0.01)
+        pool.submit(second)
+        await anna.until(1)
+        return anna
+
+    anna = with_pool(monkeypatch, scenario)
+    assert anna.parts == ["[1, 0]", "[2, 0]", "[2, 1]", "[2, 2]"]
+    assert anna.ends == [(2, None)]
+
+
 def test_a_step_over_its_limit_is_stopped_and_the_next_question_answered(monkeypatch):
     async def scenario(pool):
         anna = Asker()
