@@ -2,6 +2,7 @@
 
 import type { RegionRecord } from "../wire/records";
 import { area, digits, millimetres, place } from "./amounts";
+import { Progress } from "./progress";
 import { GuaranteeBadge, guaranteeMeaning } from "./guarantee";
 import type { Look } from "./use_look";
 
@@ -44,7 +45,8 @@ export function RegionFacts({ look, models, onModels, closure, onClosure }: Regi
           without friction
         </label>
       </div>
-      {records.length > 0 && <FactsTable records={records} quick={look.quick} />}
+      <Progress answer={{ busy: look.busy, wait: look.wait, error: null }} />
+      {records.length > 0 && <FactsTable records={records} look={look} />}
       {records
         .flatMap((each) => [...(each.reason ? [each.reason] : []), ...each.notes])
         .map((each) => (
@@ -61,7 +63,7 @@ export function RegionFacts({ look, models, onModels, closure, onClosure }: Regi
   );
 }
 
-function FactsTable({ records, quick }: { records: readonly RegionRecord[]; quick: ReadonlySet<string> }) {
+function FactsTable({ records, look }: { records: readonly RegionRecord[]; look: Look }) {
   const rows: readonly (readonly [string, (record: RegionRecord) => string | null])[] = [
     ["area of the centre region", (each) => area(each.area_m2)],
     ["allowed error", (each) => millimetres(each.allowed_error.radius_m)],
@@ -76,7 +78,7 @@ function FactsTable({ records, quick }: { records: readonly RegionRecord[]; quic
     ["starts simulated apart", (each) => (each.spacing_m == null ? null : millimetres(each.spacing_m))],
   ];
   return (
-    <table className="facts">
+    <table className={look.late ? "facts late" : "facts"}>
       <thead>
         <tr>
           <th />
@@ -103,7 +105,7 @@ function FactsTable({ records, quick }: { records: readonly RegionRecord[]; quic
           <th scope="row">guarantee</th>
           {records.map((each) => (
             <td key={each.model}>
-              <GuaranteeBadge guarantee={each.guarantee} waiting={quick.has(each.model)} />
+              <GuaranteeBadge guarantee={each.guarantee} waiting={look.quick.has(each.model)} />
               <div className="small muted">{guaranteeMeaning(each.guarantee)}</div>
             </td>
           ))}

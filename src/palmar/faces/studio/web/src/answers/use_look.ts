@@ -14,8 +14,11 @@ export interface Look {
   readonly uncovered: readonly Uncovered[];
   /** Models whose exact answer has not come yet. */
   readonly quick: ReadonlySet<string>;
+  /** The regions are those of an earlier case: this one's are still to come. */
+  readonly late: boolean;
   readonly error: string | null;
   readonly busy: boolean;
+  readonly wait: string | null;
 }
 
 export function useLook(connection: Connection, file: CaseFile, models: readonly string[], closure: string): Look {
@@ -27,9 +30,10 @@ export function useLook(connection: Connection, file: CaseFile, models: readonly
     };
     return { kind: "look", file, parameters: { models, closure }, enough };
   }, [file, models, closure]);
-  const { parts, error, busy } = useAnswer(connection, question);
+  const { parts, error, busy, wait } = useAnswer(connection, question);
   return useMemo(() => {
     const found = models.flatMap((model) => parts.get(`region ${model}`) ?? []);
+    const newest = Math.max(...[...parts.values()].map((each) => each.seq));
     const values = found.map((part) => part.value as RegionValue | Uncovered);
     return {
       closure: (parts.get("closure")?.value ?? null) as ClosureRecord | null,
@@ -37,8 +41,10 @@ export function useLook(connection: Connection, file: CaseFile, models: readonly
       regions: values.filter((each): each is RegionValue => "record" in each),
       uncovered: values.filter((each): each is Uncovered => "uncovered" in each),
       quick: new Set(found.filter((part) => part.stage === "quick").map((part) => (part.value as Uncovered).model)),
+      late: found.some((part) => part.seq < newest),
       error,
       busy,
+      wait,
     };
-  }, [parts, error, busy, models]);
+  }, [parts, error, busy, wait, models]);
 }

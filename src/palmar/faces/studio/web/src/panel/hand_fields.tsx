@@ -46,8 +46,8 @@ export function HandFields({ error }: { error: string | null }) {
         name="fingers"
         label="Fingers"
         choices={[
-          ["crossing", "crossing: they pass each other"],
-          ["colliding", "colliding: in one plane"],
+          ["crossing", "cross"],
+          ["colliding", "collide"],
         ]}
         error={error}
       />

@@ -11,7 +11,7 @@ export interface Look {
 export const LOOKS: Readonly<Record<string, Look>> = {
   "hand.palm_width_mm": { label: "Palm width", step: 1 },
   "hand.finger_thickness_mm": { label: "Finger thickness", step: 0.5 },
-  "hand.open_deg": { label: "Opening angle (0 = fully open)", step: 1, low: 0, high: 179 },
+  "hand.open_deg": { label: "Opening angle", step: 1, low: 0, high: 179 },
   "hand.finger_rate_deg_s": { label: "Closing rate", step: 1 },
   "hand.finger_mass_kg": { label: "Mass of a finger", step: 0.01 },
   "hand.finger_torque_N_m": { label: "Largest motor torque", step: 0.01 },

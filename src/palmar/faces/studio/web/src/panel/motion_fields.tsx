@@ -18,8 +18,8 @@ export function ContactFields({ error }: { error: string | null }) {
         name="kind"
         label="Support"
         choices={[
-          ["table", "table: it slides and stops"],
-          ["free", "free: zero gravity"],
+          ["table", "table"],
+          ["free", "zero gravity"],
         ]}
         error={error}
       />

@@ -18,7 +18,7 @@ export function ObjectFields({ error }: { error: string | null }) {
         value={object.shape}
         choices={[
           ["disk", "disk"],
-          ["polygon", "convex polygon"],
+          ["polygon", "polygon"],
         ]}
         onChange={(shape) => edit(withShape(file, shape as "disk" | "polygon"), null)}
       />

@@ -15,11 +15,12 @@ interface Listed {
 }
 
 const LIST = { kind: "cases" };
+const NONE: readonly Listed[] = [];
 
 export function CasesTab() {
   const { connection, edit, openTab } = useStudio();
   const answer = useAnswer(connection, LIST);
-  const list = (answer.parts.get("cases")?.value ?? []) as readonly Listed[];
+  const list = (answer.parts.get("cases")?.value as { cases: readonly Listed[] } | undefined)?.cases ?? NONE;
   const files = useFiles(list);
   const load = (file: CaseFile) => {
     edit(file, null);

@@ -6,7 +6,9 @@ import type { Box } from "../drawing/view";
 import type { Exportable } from "../shell/export_menu";
 
 export interface Mode {
-  /** Over the regions, in millimetres. */
+  /** Under hand and object, in millimetres. */
+  readonly below?: (layer: Layer) => ReactNode;
+  /** Over them. */
   readonly plane: (layer: Layer) => ReactNode;
   /** Under the drawing: controls, events, numbers. */
   readonly controls: ReactNode;

@@ -18,10 +18,9 @@ const RULES: readonly (readonly [name: string, words: string])[] = [
 interface PlanOptionsProps {
   readonly wish: PlanWish;
   readonly onWish: (wish: PlanWish) => void;
-  readonly busy: boolean;
 }
 
-export function PlanOptions({ wish, onWish, busy }: PlanOptionsProps) {
+export function PlanOptions({ wish, onWish }: PlanOptionsProps) {
   return (
     <div className="cluster">
       <label className="cluster">
@@ -56,7 +55,6 @@ export function PlanOptions({ wish, onWish, busy }: PlanOptionsProps) {
           ))}
         </select>
       </label>
-      {busy && <span className="badge wait">working</span>}
     </div>
   );
 }

@@ -5,6 +5,7 @@ import type { Look } from "../answers/use_look";
 import { shapeOf, type CaseFile, type Shape } from "../case/case_file";
 import { reach } from "../case/plane";
 import { caseGrips } from "../drawing/case_grips";
+import { Dimensions } from "../drawing/dimensions";
 import { Drawing, type Layer } from "../drawing/drawing";
 import { Grip } from "../drawing/grip";
 import { Hand, openFingers, type Fingers } from "../drawing/hand";
@@ -44,8 +45,11 @@ export function Stage({ look, mode, shown }: StageProps) {
       frozen={held}
       plane={(layer) => (
         <>
-          <Regions regions={look.regions} shown={shown} />
+          <g className={look.late ? "late" : ""}>
+            <Regions regions={look.regions} shown={shown} />
+          </g>
           {shape.wall !== null && <Wall height={shape.wall} layer={layer} />}
+          {mode.below?.(layer)}
           {mode.moving ? null : (
             <>
               <ObjectOutline shape={shape} at={shape.at} theta={shape.theta} px={layer.px} />
@@ -60,6 +64,7 @@ export function Stage({ look, mode, shown }: StageProps) {
       over={(layer) => (
         <>
           {shown.centre && <AllowedError look={look} layer={layer} />}
+          {!mode.moving && <Dimensions shape={shape} fingers={fingers} view={layer.view} size={layer.size} />}
           {shown.grips && <Grips file={file} layer={layer} onEdit={edit} onSettle={settle} onHold={hold} />}
         </>
       )}

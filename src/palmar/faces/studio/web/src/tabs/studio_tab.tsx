@@ -65,7 +65,7 @@ export function StudioTab() {
           <ShownSets shown={shown} onShown={setShown} />
         </div>
         {now.controls && (
-          <div className="card" data-mode={mode}>
+          <div className="card controls" data-mode={mode}>
             {now.controls}
           </div>
         )}
@@ -109,6 +109,11 @@ function regionExports(file: unknown, models: readonly string[], closure: string
       wish: { what: "region", case: file, parameters: { models: [model], closure } },
     },
     ...comparison,
+    {
+      words: "region swept 100 mm, solid",
+      formats: ["stl", "ply", "glb"],
+      wish: { what: "solid", case: file, parameters: { models: [model], closure, sweep_mm: [100] } },
+    },
     { words: "closure", formats: ["json"], wish: { what: "closure", case: file } },
     { words: "report", formats: ["html"], wish: { what: "report", case: file } },
     { words: "case", formats: ["toml", "json"], wish: { what: "case", case: file } },

@@ -1,6 +1,7 @@
 /** The test bed's run beside the prediction: MuJoCo with the bed's motors, and the planar kernel, from the same start. */
 
 import { useMemo, useState } from "react";
+import { Progress } from "../answers/progress";
 import { degrees, place } from "../answers/amounts";
 import { shapeOf } from "../case/case_file";
 import { duration, motionOf } from "../play/motion";
@@ -51,11 +52,7 @@ export function useBed(active: boolean): Mode {
           </button>
           {asked && asked !== file && <span className="small muted">The case has changed since that run.</span>}
         </div>
-        {answer.error && (
-          <p className="error" role="alert">
-            {answer.error}
-          </p>
-        )}
+        <Progress answer={answer} />
         {(run || prediction) && (
           <table className="facts" data-answer="bed">
             <thead>

@@ -1,6 +1,7 @@
 /** Paint a grid of starts as caught or lost. */
 
 import { useMemo, useState } from "react";
+import { Progress } from "../answers/progress";
 import { dragStart } from "../case/edit";
 import { Painting } from "../play/painting";
 import { useStudio } from "../shell/studio_context";
@@ -30,7 +31,8 @@ export function usePaint(active: boolean): Mode {
   return {
     moving: false,
     bounds: null,
-    plane: (layer) =>
+    plane: () => null,
+    below: (layer) =>
       value && <Painting value={value} layer={layer} onPick={(at) => edit(dragStart(file, at, 1e-6), null)} />,
     exports: [],
     controls: (
@@ -47,13 +49,8 @@ export function usePaint(active: boolean): Mode {
             </select>
           </label>
           {part && <span className="badge sampled">simulated at points</span>}
-          {answer.busy && <span className="badge wait">working</span>}
         </div>
-        {answer.error && (
-          <p className="error" role="alert">
-            {answer.error}
-          </p>
-        )}
+        <Progress answer={answer} />
         <div className="legend">
           <span>
             <svg width="12" height="12" aria-hidden="true">

@@ -1,6 +1,7 @@
 /** Plan by touch: the sensory plan for an uncertain place, and how what is known of the object shrinks along it. */
 
 import { useMemo, useState } from "react";
+import { Progress } from "../answers/progress";
 import { shapeOf } from "../case/case_file";
 import { GuaranteeBadge } from "../answers/guarantee";
 import { Hand } from "../drawing/hand";
@@ -78,12 +79,8 @@ export function usePlan(active: boolean): Mode {
           onChange={(to) => typeof to === "number" && setWish({ ...wish, uncertainty: to })}
           onSettle={() => undefined}
         />
-        <PlanOptions wish={wish} onWish={setWish} busy={answer.busy} />
-        {answer.error && (
-          <p className="error" role="alert">
-            {answer.error}
-          </p>
-        )}
+        <PlanOptions wish={wish} onWish={setWish} />
+        <Progress answer={answer} />
         {record && !answer.error && <PlanFacts record={record} />}
         {moments.length > 0 && <Timeline player={player} seconds={seconds} pace={1} events={events} />}
         {record && !answer.error && <PolicyTree policy={record.policy} />}

@@ -1,6 +1,7 @@
 /** Play the closing motion from the start of the case, contact by contact. */
 
 import { useMemo, useState } from "react";
+import { Progress } from "../answers/progress";
 import { shapeOf } from "../case/case_file";
 import { duration, motionOf } from "../play/motion";
 import { MotionLayer } from "../play/motion_layer";
@@ -41,6 +42,7 @@ export function usePlay(active: boolean): Mode {
         formats: ["gif", "html", ...(hello?.ffmpeg ? ["mp4"] : [])],
         wish: { what: "film", case: file, parameters: { world } },
       },
+      { words: "simulation", formats: ["json"], wish: { what: "simulation", case: file, parameters: { world } } },
     ],
     controls: (
       <div className="stack">
@@ -55,13 +57,8 @@ export function usePlay(active: boolean): Mode {
               ))}
             </select>
           </label>
-          {answer.busy && <span className="badge wait">working</span>}
         </div>
-        {answer.error && (
-          <p className="error" role="alert">
-            {answer.error}
-          </p>
-        )}
+        <Progress answer={answer} />
         {motion && !answer.error && (
           <>
             <p className={`verdict ${motion.caught ? "yes" : "no"}`} data-answer="outcome">
