@@ -49,6 +49,11 @@ def parse_case(text: str, name: str = "case") -> Case:
         raw = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(name, None, f"is not valid TOML: {str(error) or 'nested too deep'}") from None
+    return read_tables(raw, name)
+
+
+def read_tables(raw: dict[str, Any], name: str = "case") -> Case:
+    """The case in the tables of a case file: sections, their keys, and values in the file's units; as ``parse_case``."""
     for section in raw:
         _known(section, _SECTIONS, name, "section")
     ranges: list[Range] = []
@@ -73,20 +78,28 @@ def parse_case(text: str, name: str = "case") -> Case:
 
 def dump_case(case: Case) -> str:
     """TOML text that ``parse_case`` reads back as the same case."""
+    sections = [
+        "\n".join([f"[{name}]", *(f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in table.items())])
+        for name, table in case_tables(case).items()
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def case_tables(case: Case) -> dict[str, dict[str, Any]]:
+    """The tables that ``read_tables`` reads back as the same case; what is absent is left out."""
     ranges = {each.place: each for each in case.ranges}
-    sections = []
+    tables: dict[str, dict[str, Any]] = {}
     for section in _SECTIONS:
         part: Value = getattr(case, section)
         if part == Bed():
             continue  # few cases are about a test bed
-        lines = [f"[{section}]"]
-        for name, field in type(part).model_fields.items():
-            value = part.model_dump(mode="json")[name]
-            if value is not None:
-                written = _to_file(value, unit_of(field), (section, name), ranges)
-                lines.append(f"{file_key(name, field)} = {json.dumps(written, ensure_ascii=False)}")
-        sections.append("\n".join(lines))
-    return "\n\n".join(sections) + "\n"
+        values = part.model_dump(mode="json")
+        tables[section] = {
+            file_key(name, field): _to_file(values[name], unit_of(field), (section, name), ranges)
+            for name, field in type(part).model_fields.items()
+            if values[name] is not None
+        }
+    return tables
 
 
 def _text(path: Path) -> str:

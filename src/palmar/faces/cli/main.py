@@ -32,6 +32,7 @@ for name, summary in {
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",
+    "studio": "See the hand, drag it, and know what it catches: a web page.",
     "cases": "The shipped cases, or one of them printed.",
     "figures": "Every figure of the source's chapters, drawn anew.",
 }.items():

@@ -18,6 +18,7 @@ from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
 from palmar.studies.simulate import Simulation, film
+from palmar.worlds.planar.table import Trace
 
 Floats = NDArray[np.float64]
 Place = tuple[float, float]
@@ -156,13 +157,16 @@ def split(joints: Sequence[float]) -> Fingers:
     return tuple(joints[:half]), tuple(joints[half:])
 
 
-def scene(case: Case, start: tuple[float, ...], result: Simulation) -> Scene:
-    """The motion from ``start`` (x, y, theta[, vx, vy]) that ``result`` describes, from time 0 to its last event."""
+def scene(case: Case, start: tuple[float, ...], result: Simulation, whole: Trace | None = None) -> Scene:
+    """The motion from ``start`` (x, y, theta[, vx, vy]) that ``result`` describes, from time 0 to its last event.
+
+    ``whole``: its poses, where it was not carried out by the planar kernels.
+    """
     first, rate = case.hand.open, case.hand.finger_rate
     end = result.events[-1][1].psi if result.events else first
     times, poses, fingers = np.array([0.0]), np.array([result.pose]), np.array([[*result.right, *result.left]])
     if result.outcome is not Outcome.INVALID:
-        whole = film(case, start, FRAMES)
+        whole = whole or film(case, start, FRAMES)
         kept = whole.psi < end - 1e-9
         poses = np.vstack((whole.poses[kept], result.pose))
         count = whole.fingers.shape[1] // 2
