@@ -12,7 +12,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+from playwright.sync_api import BrowserContext, Locator, Page, expect
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 PATIENCE = 120_000.0
@@ -20,14 +20,12 @@ PATIENCE = 120_000.0
 
 
 @pytest.fixture(scope="session")
-def browser() -> Iterator[Browser]:
+def browser_type_launch_args() -> dict[str, object]:
+    """For pytest-playwright: the system's chromium instead of one of its own."""
     if CHROMIUM is None:
         pytest.skip("no chromium here (Debian: apt-get install chromium)")
-    with sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        expect.set_options(timeout=PATIENCE)
-        yield found
-        found.close()
+    expect.set_options(timeout=PATIENCE)
+    return {"executable_path": CHROMIUM, "args": ["--no-sandbox"]}
 
 
 @pytest.fixture(scope="session")
@@ -114,20 +112,16 @@ def _watched(page: Page, address: str) -> Studio:
 
 
 @pytest.fixture
-def new_studio(browser: Browser, address: str) -> Iterator[Callable[..., Studio]]:
-    """Opens the page as seen by a browser of its own with other options."""
-    contexts = []
+def new_studio(new_context: Callable[..., BrowserContext], address: str) -> Callable[..., Studio]:
+    """Opens the page in a window of its own, with other options."""
 
     def opened(**options: object) -> Studio:
         wide = {"viewport": {"width": 1440, "height": 900}, "color_scheme": "light"}
-        context = browser.new_context(**{**wide, **options})
+        context = new_context(**{**wide, **options})
         context.set_default_timeout(PATIENCE)
-        contexts.append(context)
         return _watched(context.new_page(), address)
 
-    yield opened
-    for context in contexts:
-        context.close()
+    return opened
 
 
 @pytest.fixture

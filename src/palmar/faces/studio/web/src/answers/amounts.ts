@@ -14,6 +14,6 @@ export const area = (squareMetres: number): string =>
 export const place = ([x, y]: readonly [number, number]): string => `(${fixed(1000 * x, 1)}, ${fixed(1000 * y, 1)}) mm`;
 /** Radians as degrees. */
 export const degrees = (radians: number): string => `${fixed((radians * 180) / Math.PI, 2)}°`;
-/** Ends (m) of an interval of radii; no upper end means however large. */
+/** Ends (m) of an interval of lengths; no upper end means however large. */
 export const span = (low: number | null, high: number | null): string =>
-  `${fixed(1000 * (low ?? 0), 1)} to ${high === null ? "any" : `${fixed(1000 * high, 1)} mm`}`;
+  high === null ? `${millimetres(low ?? 0)} or more` : `${fixed(1000 * (low ?? 0), 1)} to ${millimetres(high)}`;

@@ -106,7 +106,7 @@ function FactsTable({ records, look }: { records: readonly RegionRecord[]; look:
           {records.map((each) => (
             <td key={each.model}>
               <GuaranteeBadge guarantee={each.guarantee} waiting={look.quick.has(each.model)} />
-              <div className="small muted">{guaranteeMeaning(each.guarantee)}</div>
+              {records.length === 1 && <div className="small muted">{guaranteeMeaning(each.guarantee)}</div>}
             </td>
           ))}
         </tr>

@@ -62,7 +62,7 @@ export function ExperimentsTab() {
                 aria-pressed={each.number === chosen}
                 onClick={() => choose(each.number)}
               >
-                <strong>{each.number}</strong> {each.title}
+                <strong>{each.number}</strong> {each.title.replace(/^Figure [\d.]+: /, "")}
               </button>
             </li>
           ))}
