@@ -78,9 +78,14 @@ def read_tables(raw: dict[str, Any], name: str = "case") -> Case:
 
 def dump_case(case: Case) -> str:
     """TOML text that ``parse_case`` reads back as the same case."""
+    return dump_tables(case_tables(case))
+
+
+def dump_tables(tables: dict[str, dict[str, Any]]) -> str:
+    """TOML text of a case's tables."""
     sections = [
         "\n".join([f"[{name}]", *(f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in table.items())])
-        for name, table in case_tables(case).items()
+        for name, table in tables.items()
     ]
     return "\n\n".join(sections) + "\n"
 

@@ -53,5 +53,5 @@ def read(case: Any) -> Case:
 def warm_up() -> None:
     """Load the kernels that the first look needs."""
     asked = Question(parse_case(shipped_text("testbed_table")), {})
-    for step in ANSWERS[Kind.LOOK]:
+    for step in (look.at_once, look.soon):
         list(step(asked))

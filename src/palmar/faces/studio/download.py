@@ -23,7 +23,7 @@ class Download:
         """Always."""
         return True
 
-    def part(self, job: Job, frame: str) -> None:
+    def part(self, job: Job, slot: str, frame: str) -> None:
         """Files have no parts."""
 
     def file(self, job: Job, name: str, data: bytes) -> None:
@@ -47,4 +47,4 @@ async def download(pool: Pool, request: FileRequest) -> File | str:
         pool.submit(Job(client, Kind.EXPORT, {"kind": Kind.EXPORT.value}, request.case, given))
         return await client.answer
     finally:
-        pool.withdraw(client)
+        pool.leave(client)

@@ -19,8 +19,8 @@ class Client(Hashable, Protocol):
         """Whether it takes what it is sent; nothing is computed for one that does not."""
         ...
 
-    def part(self, job: Job, frame: str) -> None:
-        """One part of the answer."""
+    def part(self, job: Job, slot: str, frame: str) -> None:
+        """One part of the answer, for a slot of the page."""
         ...
 
     def file(self, job: Job, name: str, data: bytes) -> None:
@@ -42,10 +42,15 @@ class Job:
     case: Any
     parameters: dict[str, Any]
     channel: str = ""
+    number: int = 0
+    """Of the client's questions, in the order in which they came."""
     arrived: float = 0.0
     step: int = 0
     spent: float = 0.0
+    superseded: bool = False
+    """Something newer was asked: the step that runs is the last, what it finds is still the newest there is."""
     stopped: bool = False
+    """Nobody wants what comes of it."""
 
     @property
     def key(self) -> tuple[Kind, str]:
@@ -58,9 +63,26 @@ class Job:
         return STEPS[self.kind][self.step]
 
     @property
+    def is_wanted(self) -> bool:
+        """Whether the question still stands."""
+        return not (self.superseded or self.stopped)
+
+    @property
     def is_last(self) -> bool:
         """Whether no other step follows."""
         return self.step + 1 == len(STEPS[self.kind])
+
+    def tell_waiting(self, words: str) -> None:
+        """Let the client know why nothing comes yet."""
+        about = {
+            "part": "wait",
+            "stage": "quick",
+            "guarantee": None,
+            "last": False,
+            "ms": 0.0,
+            "value": {"words": words},
+        }
+        self.client.part(self, "wait", json.dumps({**self.head, **about}))
 
     def message(self, number: int) -> bytes:
         """What a worker is told."""

@@ -45,22 +45,36 @@ class Pool:
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
     def submit(self, job: Job) -> None:
-        """Let a job wait; whatever its client asked on that channel before is not wanted any more."""
-        self.withdraw(job.client, job.key)
+        """Let a job wait in the place of what its client asked on that channel before.
+
+        Of that, a step that runs is carried on with, for its answers come as often as they can; but not a slow one.
+        """
+        for turns in self.turns.values():
+            turns.remove(job.client, job.key)
+        for old in self._running(job.client):
+            if old.key == job.key:
+                old.superseded = True
+                if old.now.rest:
+                    self._stop(old)
         job.arrived = time.monotonic()
+        if not any(seat.ready for seat in self.seats):
+            job.tell_waiting("the studio is starting")
         self._wait(job)
 
-    def withdraw(self, client: Client, key: object = None) -> None:
-        """Forget what a client asked on a channel, or all it asked."""
+    def leave(self, client: Client) -> None:
+        """Forget a client and all it asked."""
         for turns in self.turns.values():
-            if key is None:
-                turns.drop(client)
-            else:
-                turns.remove(client, key)
+            turns.drop(client)
+        for job in self._running(client):
+            self._stop(job)
+
+    def _running(self, client: Client) -> list[Job]:
+        return [seat.job for seat in self.seats if seat.job is not None and seat.job.client is client]
+
+    def _stop(self, job: Job) -> None:
+        job.stopped = True
         for seat in self.seats:
-            job = seat.job
-            if job is not None and job.client is client and key in (None, job.key) and not job.stopped:
-                job.stopped = True
+            if seat.job is job:
                 seat.stop()
 
     def free(self) -> None:
@@ -85,7 +99,7 @@ class Pool:
         self.running[job.client, lane] -= 1
         if not self.running[job.client, lane]:
             del self.running[job.client, lane]
-        if job.stopped:
+        if not job.is_wanted:
             return
         if error is not None or job.is_last:
             job.client.ended(job, error)

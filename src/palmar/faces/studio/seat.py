@@ -15,7 +15,7 @@ from palmar.faces.studio.kinds import Lane
 COMMAND = (sys.executable, "-P", "-m", "palmar.faces.studio.worker")
 COMPILING_SECONDS = 900.0
 """A limit does not count the time in which kernels are compiled, up to this."""
-PATIENCE = 1.0
+PATIENCE = 2.0
 """A job that nobody wants may go on for so long (s) where others wait."""
 PAUSE = 1.0
 """Between a worker's end and the next one (s)."""
@@ -89,7 +89,7 @@ class Seat:
         spent, limit = now - self.began, self.job.now.seconds
         if self.compiling or spent > limit:
             self._kill(f"took longer than {limit:g} s and was stopped; the command line has no such limit")
-        elif self.job.stopped and others_wait and spent > PATIENCE:
+        elif not self.job.is_wanted and others_wait and spent > PATIENCE:
             self._kill("is not wanted any more")
 
     def _kill(self, why: str) -> None:
@@ -115,7 +115,8 @@ class Seat:
             self.ready = True
             self.watcher.free()
         elif job is not None and tag is Tag.PART and not job.stopped:
-            job.client.part(job, data.decode())
+            slot, _, frame = data.partition(b"\n")
+            job.client.part(job, slot.decode(), frame.decode())
         elif job is not None and tag is Tag.FILE and not job.stopped:
             name, _, content = data.partition(b"\n")
             job.client.file(job, name.decode(), content)
@@ -126,6 +127,8 @@ class Seat:
         now = self.clock()
         if begins:
             self.compiling_since = now
+            if self.job is not None:
+                self.job.tell_waiting("kernels are being compiled, once after installation")
         else:
             self.began += now - self.compiling_since
         self.compiling = begins

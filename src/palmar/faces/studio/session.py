@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import time
-from collections import OrderedDict
+from contextlib import suppress
 
 from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
@@ -17,12 +17,12 @@ from palmar.faces.studio.kinds import Kind
 from palmar.faces.studio.pool import Pool
 from palmar.faces.studio.requests import Request, read_request
 
+Slot = tuple[Kind, str, str] | None
+"""Kind, channel, and the page's slot; None for complaints that belong to no question."""
 MOST_CHANNELS = 4
 """Of each kind."""
 MOST_UNSENT = 4 * 2**20
 """Characters that wait for a client that does not read; with more, nothing is computed for it."""
-MOST_COMPLAINTS = 16
-"""Error frames without a channel that wait; further ones are dropped."""
 SLOWEST_SEND = 15.0
 """Seconds after which a client that takes nothing is left."""
 RATE, BURST = 240.0, 480.0
@@ -34,8 +34,9 @@ class Session:
 
     def __init__(self, socket: WebSocket, pool: Pool) -> None:
         self.socket, self.pool = socket, pool
-        self.unsent: OrderedDict[tuple[Kind, str] | None, list[str]] = OrderedDict()
-        self.size = 0
+        self.unsent: dict[Slot, str] = {}
+        self.newest: dict[Slot, int] = {}
+        self.size = self.count = 0
         self.some = asyncio.Event()
         self.channels: set[tuple[Kind, str]] = set()
         self.pace = Pace(RATE, BURST)
@@ -48,7 +49,7 @@ class Session:
         try:
             await asyncio.wait((sender, reader), return_when=asyncio.FIRST_COMPLETED)
         finally:
-            self.pool.withdraw(self)
+            self.pool.leave(self)
             for task in (sender, reader):
                 task.cancel()
             await asyncio.gather(sender, reader, return_exceptions=True)
@@ -60,9 +61,12 @@ class Session:
         """Whether what it was sent before is mostly gone."""
         return self.size < MOST_UNSENT
 
-    def part(self, job: Job, frame: str) -> None:
-        """Send a part in its turn."""
-        self._put(job.key, frame)
+    def part(self, job: Job, slot: str, frame: str) -> None:
+        """Send a part in its turn, unless its slot has had one for a newer question."""
+        place = (*job.key, slot)
+        if self.newest.get(place, 0) <= job.number:
+            self.newest[place] = job.number
+            self._put(place, frame)
 
     def file(self, job: Job, name: str, data: bytes) -> None:
         """Files do not go over the socket."""
@@ -70,7 +74,7 @@ class Session:
     def ended(self, job: Job, error: str | None) -> None:
         """Say that nothing more will come, and why if it is an error."""
         end = {"part": "end", "ms": round(1e3 * job.spent, 3)} if error is None else {"error": error}
-        self._put(job.key, json.dumps({**job.head, **end, "last": True}))
+        self._put((*job.key, "end"), json.dumps({**job.head, **end, "last": True}))
 
     async def _read_all(self) -> None:
         while True:
@@ -88,39 +92,35 @@ class Session:
                 self._complain(one_line(str(error)))
 
     def _asked(self, request: Request) -> None:
-        job = Job(self, request.kind, request.head, request.case, request.parameters, request.channel)
+        self.count += 1
+        job = Job(self, request.kind, request.head, request.case, request.parameters, request.channel, self.count)
         if job.key not in self.channels:
             if sum(kind is request.kind for kind, _ in self.channels) >= MOST_CHANNELS:
                 raise InputError("channel", None, f"at most {MOST_CHANNELS} channels of one kind")
             self.channels.add(job.key)
-        self.size -= sum(map(len, self.unsent.pop(job.key, ())))
         self.pool.submit(job)
 
     def _complain(self, words: str) -> None:
-        if len(self.unsent.get(None, ())) < MOST_COMPLAINTS:
-            nothing = dict.fromkeys(("id", "seq", "kind", "channel"))
-            self._put(None, json.dumps({**nothing, "error": words, "last": True}))
+        """About something that cannot be read; the client is told of the last such thing if it reads slowly."""
+        nothing = dict.fromkeys(("id", "seq", "kind", "channel"))
+        self._put(None, json.dumps({**nothing, "error": words, "last": True}))
 
-    def _put(self, key: tuple[Kind, str] | None, frame: str) -> None:
-        self.unsent.setdefault(key, []).append(frame)
-        self.size += len(frame)
+    def _put(self, place: Slot, frame: str) -> None:
+        """Let a frame wait to be sent, instead of an older one for the same slot."""
+        self.size += len(frame) - len(self.unsent.get(place, ""))
+        self.unsent[place] = frame
         self.some.set()
 
     async def _send_all(self) -> None:
-        """One frame of each channel in turn."""
+        """In the order in which they came."""
         try:
             await self._send(json.dumps(hello()))
             while True:
                 await self.some.wait()
                 self.some.clear()
                 while self.unsent:
-                    key, frames = next(iter(self.unsent.items()))
-                    frame = frames.pop(0)
+                    frame = self.unsent.pop(next(iter(self.unsent)))
                     self.size -= len(frame)
-                    if frames:
-                        self.unsent.move_to_end(key)
-                    else:
-                        del self.unsent[key]
                     await self._send(frame)
         except (TimeoutError, WebSocketDisconnect, RuntimeError):
             return  # the client has gone, or takes nothing
@@ -147,7 +147,5 @@ class Pace:
 
 async def _close(socket: WebSocket, code: int = 1008) -> None:
     """Close from this side; the other may be quicker."""
-    try:
+    with suppress(RuntimeError, WebSocketDisconnect):
         await socket.close(code)
-    except RuntimeError:
-        return

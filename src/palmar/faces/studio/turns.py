@@ -1,4 +1,4 @@
-"""Whose turn it is: clients in a ring, and of each client at most one waiting item for every channel, the newest."""
+"""Whose turn it is: the client that was served least recently; of each client at most one item a channel, the newest."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ Item = TypeVar("Item")
 
 
 class Turns(Generic[Item]):
-    """Waiting items; what is put on a channel takes the place of what waits there."""
+    """Waiting items; what is put on a channel takes the place of what waits there, without losing the turn."""
 
     def __init__(self) -> None:
-        self._waiting: OrderedDict[Hashable, OrderedDict[Hashable, Item]] = OrderedDict()
+        self._waiting: dict[Hashable, OrderedDict[Hashable, Item]] = {}
+        self._served: dict[Hashable, int] = {}
+        self._count = 0
 
     def __len__(self) -> int:
         return sum(len(each) for each in self._waiting.values())
@@ -22,17 +24,17 @@ class Turns(Generic[Item]):
         return (item for each in self._waiting.values() for item in each.values())
 
     def put(self, client: Hashable, channel: Hashable, item: Item) -> None:
-        """Let an item wait; a newer one keeps the older one's turn."""
+        """Let an item wait."""
         self._waiting.setdefault(client, OrderedDict())[channel] = item
 
     def take(self, fits: Callable[[Item], bool]) -> Item | None:
-        """The item whose turn it is among those that fit; its client goes to the end of the ring."""
-        for client, channels in self._waiting.items():
-            for channel, item in channels.items():
+        """The item whose turn it is among those that fit; None if there is none."""
+        for client in sorted(self._waiting, key=lambda each: self._served.get(each, 0)):
+            for channel, item in self._waiting[client].items():
                 if fits(item):
                     self.remove(client, channel)
-                    if client in self._waiting:
-                        self._waiting.move_to_end(client)
+                    self._count += 1
+                    self._served[client] = self._count
                     return item
         return None
 
@@ -45,5 +47,6 @@ class Turns(Generic[Item]):
                 del self._waiting[client]
 
     def drop(self, client: Hashable) -> None:
-        """Forget all that a client waits for."""
+        """Forget a client."""
         self._waiting.pop(client, None)
+        self._served.pop(client, None)

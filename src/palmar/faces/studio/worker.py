@@ -58,7 +58,7 @@ class Worker:
             if isinstance(each, File):
                 self._send(Tag.FILE, each.name.encode() + b"\n" + each.data)
             else:
-                self._send(Tag.PART, _frame(head, each, spent))
+                self._send(Tag.PART, each.slot.encode() + b"\n" + _frame(head, each, spent))
 
     def _ended(self, answer: Future[None]) -> None:
         """Say how it ended; a defect is told too, its trace goes to standard error, and the process goes on."""

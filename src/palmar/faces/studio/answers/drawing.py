@@ -73,7 +73,7 @@ def millimetres(points: Sequence[Any] | Floats) -> Any:
 
 def shown(region: BaseGeometry, length: float) -> list[list[list[list[float]]]]:
     """A set (m) as multipolygon coordinates (mm), thinned to what a screen shows of a hand of this finger length (m)."""
-    thin: MultiPolygon = areal(region.simplify(THIN * length))
+    thin: MultiPolygon = areal(region.simplify(THIN * length, preserve_topology=False))
     digits = max(0, ceil(-log10(ROUND * MM * length)))
     return [[np.round(MM * np.asarray(ring), digits).tolist() for ring in polygon] for polygon in coordinates(thin)]
 

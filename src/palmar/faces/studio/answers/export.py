@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 from matplotlib.figure import Figure
 from pydantic import Field
 
-from palmar.errors import InputError
+from palmar.errors import InputError, OutputError
 from palmar.faces.exports.region_file import write_region
 from palmar.faces.jointed_record import jointed_record, map_record
 from palmar.faces.plan_record import plan_record
@@ -77,7 +77,10 @@ def export(asked: Question) -> File:
     name = f"palmar_{wanted.what}.{wanted.format}"
     with TemporaryDirectory(prefix="palmar-") as folder:
         path = Path(folder) / name
-        write(Question(asked.case, inner), path)
+        try:
+            write(Question(asked.case, inner), path)
+        except OutputError as error:
+            raise OutputError(str(error).replace(str(path), name)) from None
         return File(name, path.read_bytes())
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from palmar.faces.studio.answers.part import Part, Question
 from palmar.models.case import Case
-from palmar.models.case_file import case_tables, dump_case, parse_case
+from palmar.models.case_file import case_tables, dump_tables, parse_case
 from palmar.models.quantity import Value
 from palmar.models.shipped import description, shipped_names, shipped_text
 
@@ -47,4 +47,5 @@ def write_toml(asked: Question) -> Iterator[Part]:
 
 def case_value(case: Case) -> dict[str, Any]:
     """A case as a TOML text and as tables with all their keys."""
-    return {"toml": dump_case(case), "case": case_tables(case)}
+    tables = case_tables(case)
+    return {"toml": dump_tables(tables), "case": tables}

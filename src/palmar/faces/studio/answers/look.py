@@ -7,6 +7,7 @@ from typing import Any
 
 from palmar.errors import NotCoveredError
 from palmar.faces.jointed_record import jointed_record
+from palmar.faces.plots.region_picture import VISIBLE
 from palmar.faces.records import closure_record, region_facts, region_sets
 from palmar.faces.region_records import answers_record
 from palmar.faces.studio.answers.drawing import MM, drawing, shown
@@ -24,8 +25,10 @@ from palmar.studies.closure import closure_answer, closure_verdict
 from palmar.studies.jointed_closure import bends, jointed_closure
 from palmar.studies.region_questions import Questions, answers
 
-QUICK_TOLERANCE, COARSE = 1e-4, 0.05
-"""Of the first outlines, and the spacing of the first simulated starts, as shares of the finger's length."""
+QUICK_TOLERANCE = 1e-4
+"""Of the first outlines, as a share of the finger's length."""
+COARSE = {SupportKind.TABLE: 1.0 / 20.0, SupportKind.FREE: 1.0 / 8.0}
+"""Spacing of the first simulated starts, as a share of the finger's length."""
 
 
 class Look(Value):
@@ -50,16 +53,16 @@ def at_once(asked: Question) -> Iterator[Part]:
 
 
 def soon(asked: Question) -> Iterator[Part]:
-    """Within a tenth of a second or so: the command line's numbers where these are closed forms, else coarse regions."""
+    """Within a tenth of a second or so: the command line's numbers, but simulated regions with a coarse spacing."""
     case, wanted = asked.required_case, asked.parameters(Look)
-    for model in _each(wanted) if wanted.settled else ():
-        if takes_milliseconds(case, model, wanted.closure):
+    for model in _each(wanted):
+        if not _is_slow(case, model, wanted.closure) and wanted.settled:
             yield _region(case, model, wanted.closure, None, "settled")
     if not bends(case):
         yield _closure(case)
     for model in _each(wanted):
-        if not takes_milliseconds(case, model, wanted.closure) and _has_coarse(case, model):
-            yield _region(case, model, wanted.closure, COARSE * case.hand.finger_length, "quick")
+        if _is_slow(case, model, wanted.closure):
+            yield _region(case, model, wanted.closure, COARSE[case.support.kind] * case.hand.finger_length, "quick")
 
 
 def at_last(asked: Question) -> Iterator[Part]:
@@ -75,7 +78,7 @@ def at_last(asked: Question) -> Iterator[Part]:
         except NotCoveredError as error:
             yield _uncovered(model, error, "settled")
             continue
-        if not takes_milliseconds(case, model, wanted.closure):
+        if _is_slow(case, model, wanted.closure):
             yield Part("region", region_value(case, region), "settled", region.guarantee)
         said = answers_record(case, answers(case, region, model, wanted.closure, Questions()))
         yield Part("validity", {"model": model.value, **said})
@@ -85,14 +88,17 @@ def _each(wanted: Look) -> tuple[Model, ...]:
     return tuple(dict.fromkeys(wanted.models))
 
 
-def _has_coarse(case: Case, model: Model) -> bool:
-    """Whether a coarse spacing makes the region quicker: simulated starts on a table."""
-    return model is Model.EXACT and case.support.kind is SupportKind.TABLE
+def _is_slow(case: Case, model: Model, closure: Closure) -> bool:
+    """Whether a region is simulated, so that it comes twice: with a coarse spacing and with the command line's."""
+    return model is Model.EXACT and not takes_milliseconds(case, model, closure)
 
 
 def _closure(case: Case) -> Part:
     if bends(case):
-        return Part("closure", jointed_record(case.hand, jointed_closure(case)))
+        found = jointed_closure(case)
+        return Part(
+            "closure", jointed_record(case.hand, found), "settled", Guarantee.CLOSED_FORM if found.cases else None
+        )
     return Part("closure", closure_record(closure_answer(case)), "settled", Guarantee.CLOSED_FORM)
 
 
@@ -109,9 +115,11 @@ def _uncovered(model: Model, error: NotCoveredError, stage: Stage) -> Part:
 
 
 def region_value(case: Case, region: Region) -> dict[str, Any]:
-    """The record without coordinates, and the sets as they are drawn."""
+    """The record without coordinates, and the sets as they are drawn; an error band that nobody would see is none."""
     length, sets = case.hand.finger_length, region_sets(region)
     allowed = region.allowed_error
+    if region.band < VISIBLE * region.area:
+        sets.pop("outer", None)
     drawn = {name: None if name not in sets else shown(sets[name], length) for name in SETS}
     return {
         "model": region.model.value,

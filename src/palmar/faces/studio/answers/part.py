@@ -19,12 +19,17 @@ Parameters = TypeVar("Parameters", bound=Value)
 
 @dataclass(frozen=True)
 class Part:
-    """A piece that the page shows as soon as it comes; a later one of the same name takes its place."""
+    """A piece that the page shows as soon as it comes; a later one for the same slot takes its place."""
 
     name: str
     value: dict[str, Any]
     stage: Stage = "settled"
     guarantee: Guarantee | None = None
+
+    @property
+    def slot(self) -> str:
+        """Its name, and the model where there may be several."""
+        return f"{self.name} {self.value.get('model', '')}"
 
 
 @dataclass(frozen=True)
