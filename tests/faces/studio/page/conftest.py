@@ -12,20 +12,22 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import BrowserContext, Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-PATIENCE = 120_000.0
+PATIENCE = 15_000.0
 """ms: the first answer of a kind may have to wait for kernels to be compiled."""
 
 
 @pytest.fixture(scope="session")
-def browser_type_launch_args() -> dict[str, object]:
-    """For pytest-playwright: the system's chromium instead of one of its own."""
+def chromium() -> Iterator[Browser]:
     if CHROMIUM is None:
         pytest.skip("no chromium here (Debian: apt-get install chromium)")
-    expect.set_options(timeout=PATIENCE)
-    return {"executable_path": CHROMIUM, "args": ["--no-sandbox"]}
+    with sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        expect.set_options(timeout=PATIENCE)
+        yield found
+        found.close()
 
 
 @pytest.fixture(scope="session")
@@ -112,16 +114,20 @@ def _watched(page: Page, address: str) -> Studio:
 
 
 @pytest.fixture
-def new_studio(new_context: Callable[..., BrowserContext], address: str) -> Callable[..., Studio]:
-    """Opens the page in a window of its own, with other options."""
+def new_studio(chromium: Browser, address: str) -> Iterator[Callable[..., Studio]]:
+    """Opens the page as a browser of its own would see it, with other options."""
+    contexts = []
 
     def opened(**options: object) -> Studio:
         wide = {"viewport": {"width": 1440, "height": 900}, "color_scheme": "light"}
-        context = new_context(**{**wide, **options})
+        context = chromium.new_context(**{**wide, **options})
         context.set_default_timeout(PATIENCE)
+        contexts.append(context)
         return _watched(context.new_page(), address)
 
-    return opened
+    yield opened
+    for context in contexts:
+        context.close()
 
 
 @pytest.fixture

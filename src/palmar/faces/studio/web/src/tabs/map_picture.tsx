@@ -1,6 +1,6 @@
 /** One map as coloured cells over both link lengths, with a scale, and a cross that is moved by pointer and keys. */
 
-import { memo, useMemo, useState, type KeyboardEvent, type PointerEvent } from "react";
+import { memo, useMemo, type KeyboardEvent, type PointerEvent } from "react";
 import type { Point } from "../case/case_file";
 import { SHADES, shadeOf } from "./shades";
 
@@ -30,7 +30,6 @@ const KEYS: Readonly<Record<string, Point>> = {
 
 export function MapPicture({ record, name, at, onMove, onPick }: MapPictureProps) {
   const count = Math.round(Math.sqrt(record.distal.length));
-  const [over, setOver] = useState(false);
   const place = (event: PointerEvent<SVGRectElement>): Point => {
     const box = event.currentTarget.getBoundingClientRect();
     return [clamp((event.clientX - box.left) / box.width), clamp(1 - (event.clientY - box.top) / box.height)];
@@ -80,9 +79,7 @@ export function MapPicture({ record, name, at, onMove, onPick }: MapPictureProps
         aria-label="Hand on the map"
         aria-valuenow={at[0]}
         aria-valuetext={`distal link ${at[0].toFixed(2)}, proximal link ${at[1].toFixed(2)}`}
-        onPointerEnter={() => setOver(true)}
-        onPointerLeave={() => setOver(false)}
-        onPointerMove={(event) => over && onMove(place(event))}
+        onPointerMove={(event) => onMove(place(event))}
         onPointerDown={(event) => onMove(place(event))}
         onClick={onPick}
         onKeyDown={key}
