@@ -174,7 +174,7 @@ def scene(case: Case, start: tuple[float, ...], result: Simulation, whole: Trace
         times = np.append(whole.psi[kept], end) - first
     return Scene(
         case, result.outcome, times / rate, poses, fingers, contacts(case, times + first, poses, fingers, result),
-        tuple((time, _words(event.kind, event.body)) for time, event in result.events), _pace((end - first) / rate),
+        tuple((time, _words(event.kind, event.body)) for time, event in result.events), pace_of((end - first) / rate),
     )  # fmt: skip
 
 
@@ -213,7 +213,7 @@ def _size(case: Case) -> float:
     return item.radius if isinstance(item, Disk) else float(np.linalg.norm(item.vertices, axis=1).max())
 
 
-def _pace(duration: float) -> float:
+def pace_of(duration: float) -> float:
     """1 for motions of a length that is good to watch, else the nearest of 1, 2, 5, 10 ... and their inverses."""
     if duration == 0.0 or SHORTEST <= duration <= LONGEST:
         return 1.0

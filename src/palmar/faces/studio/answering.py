@@ -19,6 +19,7 @@ Answer = Callable[[Question], Iterator[Part]]
 ANSWERS: dict[Kind, tuple[Answer, ...]] = {
     Kind.LOOK: (look.at_once, look.soon, look.at_last),
     Kind.SIMULATE: (motion.simulate,),
+    Kind.BEHAVIOUR_REGION: (look.feedback_coarsely, look.feedback_wholly),
     Kind.PAINT: (paint.coarsely, paint.wholly),
     Kind.PLAN: (plan.plan,),
     Kind.TESTBED: (motion.prediction, motion.bed),

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Union, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from palmar.behaviours.descriptions import DESCRIPTIONS
-from palmar.faces.studio.kinds import Kind
+from palmar.faces.studio.kinds import EXPORTS, Kind
 from palmar.faces.studio.requests import LARGEST_MESSAGE
 from palmar.models.behaviour import Behaviour
 from palmar.models.contact import Contact
@@ -38,6 +38,7 @@ def hello() -> dict[str, Any]:
         "ffmpeg": shutil.which("ffmpeg") is not None,
         "kinds": [each.value for each in Kind],
         "limits": {"message_bytes": LARGEST_MESSAGE, "grid_points": 40_000, "map_grid": 201},
+        "exports": {what: list(formats) for what, formats in EXPORTS.items()},
         "behaviours": [
             {"name": name.value, "summary": each.summary, "parameters": _defaults(each.parameters)}
             for name, each in DESCRIPTIONS.items()

@@ -27,6 +27,7 @@ class Kind(Enum):
 
     LOOK = "look"
     SIMULATE = "simulate"
+    BEHAVIOUR_REGION = "behaviour_region"
     PAINT = "paint"
     PLAN = "plan"
     TESTBED = "testbed"
@@ -49,6 +50,7 @@ _QUICK, _LONG = Step(Lane.QUICK, 3.0), Step(Lane.LONG, 60.0)
 STEPS: dict[Kind, tuple[Step, ...]] = {
     Kind.LOOK: (_QUICK, Step(Lane.LONG, 10.0), Step(Lane.LONG, 120.0, PAUSE)),
     Kind.SIMULATE: (Step(Lane.LONG, 20.0),),
+    Kind.BEHAVIOUR_REGION: (_LONG, Step(Lane.LONG, 300.0)),
     Kind.PAINT: (Step(Lane.LONG, 10.0), Step(Lane.LONG, 60.0, PAUSE)),
     Kind.PLAN: (Step(Lane.LONG, 120.0),),
     Kind.TESTBED: (Step(Lane.LONG, 20.0), _LONG),
@@ -61,3 +63,20 @@ STEPS: dict[Kind, tuple[Step, ...]] = {
     Kind.WRITE_TOML: (_QUICK,),
     Kind.EXPORT: (Step(Lane.LONG, 300.0),),
 }
+
+DRAWN = ("svg", "pdf", "png")
+EXPORTS: dict[str, tuple[str, ...]] = {
+    "region": (*DRAWN, "dxf", "geojson", "csv", "json"),
+    "comparison": DRAWN,
+    "solid": ("stl", "ply", "glb"),
+    "film": ("gif", "html", "mp4"),
+    "trace": ("json", "csv", "gif", *DRAWN),
+    "simulation": ("json",),
+    "plan": (*DRAWN, "gif", "json"),
+    "map": (*DRAWN, "json"),
+    "closure": ("json",),
+    "report": ("html",),
+    "figure": DRAWN,
+    "case": ("toml",),
+}
+"""What is written as a file, and as which."""

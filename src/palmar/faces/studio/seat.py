@@ -63,7 +63,7 @@ class Seat:
                 self.ready = self.compiling = False
                 if self.process.returncode is None:
                     self.process.kill()
-            await self.process.wait()
+                await self.process.communicate()
             self._ended(self.why or "the computation came to an unexpected end")
             await asyncio.sleep(PAUSE if not self.why else 0.0)
             self.why = ""

@@ -81,15 +81,23 @@ def _bound(address: Address) -> socket.socket:
     try:
         family, kind, protocol, _, where = socket.getaddrinfo(address.host, address.port, type=socket.SOCK_STREAM)[0]
         listener = socket.socket(family, kind, protocol)
+    except OSError as error:
+        raise _cannot(address, error) from None
+    try:
         if sys.platform != "win32":
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind(where)
         listener.listen(128)
     except OSError as error:
-        taken = error.errno == errno.EADDRINUSE
-        words = "is in use, another --port may be free" if taken else f"cannot be used: {error.strerror or error}"
-        raise OutputError(f"{address.host} port {address.port} {words}") from None
+        listener.close()
+        raise _cannot(address, error) from None
     return listener
+
+
+def _cannot(address: Address, error: OSError) -> OutputError:
+    taken = error.errno == errno.EADDRINUSE
+    words = "is in use, another --port may be free" if taken else f"cannot be used: {error.strerror or error}"
+    return OutputError(f"{address.host} port {address.port} {words}")
 
 
 def _url(address: Address, port: int) -> str:

@@ -82,14 +82,16 @@ class Session:
             message = await self.socket.receive()
             if message["type"] == "websocket.disconnect":
                 return
-            text = message.get("text")
+            self._read(message.get("text"))
+
+    def _read(self, text: str | None) -> None:
+        """Take one frame, None for a binary one."""
+        try:
             if text is None:
-                self._complain("message: must be text, not binary")
-                continue
-            try:
-                self._asked(read_request(text))
-            except InputError as error:
-                self._complain(one_line(str(error)))
+                raise InputError("message", None, "must be text, not binary")
+            self._asked(read_request(text))
+        except InputError as error:
+            self._complain(one_line(str(error)))
 
     def _asked(self, request: Request) -> None:
         self.count += 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 from palmar.errors import InputError
 from palmar.faces.jointed_record import jointed_record
@@ -43,7 +44,9 @@ def known_figure(number: str) -> str:
 
 def title_of(number: str) -> str:
     """What a figure shows, in a line."""
-    return (FIGURES[number].__doc__ or "").strip().splitlines()[0]
+    draw = FIGURES[number]
+    words = str(draw.args[-1]) if isinstance(draw, partial) else str(draw.__doc__).strip().splitlines()[0]
+    return words.removeprefix(f"Figure {number}: ")
 
 
 def _figure(number: str) -> Part:

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from matplotlib.figure import Figure
 from pydantic import Field
@@ -16,13 +16,15 @@ from palmar.faces.exports.region_file import write_region
 from palmar.faces.jointed_record import jointed_record, map_record
 from palmar.faces.plan_record import plan_record
 from palmar.faces.plots.style import save
-from palmar.faces.records import closure_record, finite, region_record, simulation_record
+from palmar.faces.records import closure_record, finite, region_record
 from palmar.faces.region_records import answers_record
+from palmar.faces.studio.answers.behaviour import performed
 from palmar.faces.studio.answers.experiments import known_figure
 from palmar.faces.studio.answers.maps import Grid
-from palmar.faces.studio.answers.motion import Begin, begin_of, simulated
+from palmar.faces.studio.answers.motion import Begin, begin_of, record_of, simulated
 from palmar.faces.studio.answers.part import File, Question, read_parameters
 from palmar.faces.studio.answers.plan import Planning, made
+from palmar.faces.studio.kinds import EXPORTS
 from palmar.models.case_file import dump_case
 from palmar.models.closure import Closure
 from palmar.models.quantity import LARGEST_LENGTH, Real, Value
@@ -34,19 +36,14 @@ from palmar.studies.jointed_closure import bends, jointed_closure
 from palmar.studies.region_questions import Questions, answers
 
 Size = Annotated[Real, Field(gt=0.0, le=1e3 * LARGEST_LENGTH)]
-Format = Literal[
-    "svg", "pdf", "png", "dxf", "geojson", "csv", "json", "gif", "html", "mp4", "stl", "ply", "glb", "toml"
-]
 Write = Callable[[Question, Path], None]
 
 
 class Wanted(Value):
     """What to write, and how."""
 
-    what: Literal[
-        "region", "comparison", "solid", "film", "simulation", "plan", "map", "closure", "report", "figure", "case"
-    ]
-    format: Format
+    what: str
+    format: str
 
 
 class RegionWanted(Value):
@@ -71,9 +68,11 @@ def export(asked: Question) -> File:
     if not isinstance(inner, dict):
         raise InputError("parameters", None, "must be an object")
     wanted = read_parameters(Wanted, given)
-    write, formats = WRITERS[wanted.what]
+    if wanted.what not in WRITERS:
+        raise InputError("what", repr(wanted.what[:60]), f"must be one of {', '.join(WRITERS)}")
+    write, formats = WRITERS[wanted.what], EXPORTS[wanted.what]
     if wanted.format not in formats:
-        raise InputError("format", repr(wanted.format), f"{wanted.what} is written as {', '.join(formats)}")
+        raise InputError("format", repr(wanted.format[:60]), f"{wanted.what} is written as {', '.join(formats)}")
     name = f"palmar_{wanted.what}.{wanted.format}"
     with TemporaryDirectory(prefix="palmar-") as folder:
         path = Path(folder) / name
@@ -127,7 +126,15 @@ def _simulation(asked: Question, path: Path) -> None:
     from palmar.faces.cli.world_option import maker_of
 
     case, given = asked.required_case, asked.parameters(Begin)
-    _write_record(path, simulation_record(simulated(case, begin_of(case, given), maker_of(given.world))))
+    _write_record(path, record_of(case, begin_of(case, given), maker_of(given.world)))
+
+
+def _trace(asked: Question, path: Path) -> None:
+    from palmar.faces.cli.world_option import maker_of
+    from palmar.faces.exports.trace_file import write_trace
+
+    case, given = asked.required_case, asked.parameters(Begin)
+    write_trace(path, performed(case, begin_of(case, given), maker_of(given.world)))
 
 
 def _plan(asked: Question, path: Path) -> None:
@@ -186,17 +193,17 @@ def _write_record(path: Path, record: dict[str, Any]) -> None:
     path.write_text(json.dumps(finite(record), allow_nan=False) + "\n", encoding="utf-8")
 
 
-DRAWN = ("svg", "pdf", "png")
-WRITERS: dict[str, tuple[Write, tuple[str, ...]]] = {
-    "region": (_region, (*DRAWN, "dxf", "geojson", "csv", "json")),
-    "comparison": (_comparison, DRAWN),
-    "solid": (_solid, ("stl", "ply", "glb")),
-    "film": (_film, ("gif", "html", "mp4")),
-    "simulation": (_simulation, ("json",)),
-    "plan": (_plan, (*DRAWN, "gif", "json")),
-    "map": (_map, (*DRAWN, "json")),
-    "closure": (_closure, ("json",)),
-    "report": (_report, ("html",)),
-    "figure": (_figure, DRAWN),
-    "case": (_case, ("toml",)),
+WRITERS: dict[str, Write] = {
+    "region": _region,
+    "comparison": _comparison,
+    "solid": _solid,
+    "film": _film,
+    "trace": _trace,
+    "simulation": _simulation,
+    "plan": _plan,
+    "map": _map,
+    "closure": _closure,
+    "report": _report,
+    "figure": _figure,
+    "case": _case,
 }

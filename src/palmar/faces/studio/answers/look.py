@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 from palmar.errors import NotCoveredError
@@ -21,14 +22,19 @@ from palmar.models.quantity import Value
 from palmar.models.support import SupportKind
 from palmar.regions.build import build_region, takes_milliseconds
 from palmar.regions.region import Model, Region
+from palmar.studies.behaviour_region import behaviour_region
 from palmar.studies.closure import closure_answer, closure_verdict
 from palmar.studies.jointed_closure import bends, jointed_closure
 from palmar.studies.region_questions import Questions, answers
+from palmar.studies.run_behaviour import Circumstances
 
 QUICK_TOLERANCE = 1e-4
 """Of the first outlines, as a share of the finger's length."""
 COARSE = {SupportKind.TABLE: 1.0 / 20.0, SupportKind.FREE: 1.0 / 8.0}
 """Spacing of the first simulated starts, as a share of the finger's length."""
+
+FEEDBACK_COARSE, FEEDBACK_TICK = 1.0 / 8.0, 0.02
+"""Spacing, as a share of the finger's length, and time between two observations (s) of runs under feedback."""
 
 
 class Look(Value):
@@ -82,6 +88,23 @@ def at_last(asked: Question) -> Iterator[Part]:
             yield Part("region", region_value(case, region), "settled", region.guarantee)
         said = answers_record(case, answers(case, region, model, wanted.closure, Questions()))
         yield Part("validity", {"model": model.value, **said})
+
+
+def feedback_coarsely(asked: Question) -> Iterator[Part]:
+    """The region of a behaviour under feedback, at a coarse spacing."""
+    yield _feedback(asked.required_case, FEEDBACK_COARSE, "quick")
+
+
+def feedback_wholly(asked: Question) -> Iterator[Part]:
+    """As ``palmar behaviours region`` has it."""
+    yield _feedback(asked.required_case, None, "settled")
+
+
+def _feedback(case: Case, share: float | None, stage: Stage) -> Part:
+    tolerance = None if share is None else share * case.hand.finger_length
+    with ThreadPoolExecutor(1) as pool:
+        region = behaviour_region(case, pool, tolerance, Circumstances(tick=FEEDBACK_TICK))
+    return Part("region", region_value(case, region), stage, region.guarantee)
 
 
 def _each(wanted: Look) -> tuple[Model, ...]:

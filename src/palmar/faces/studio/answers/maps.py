@@ -10,10 +10,12 @@ import numpy as np
 from pydantic import Field
 
 from palmar.faces.jointed_record import map_record
+from palmar.faces.plots.closure_map_picture import posture
 from palmar.faces.records import finite
 from palmar.faces.studio.answers.drawing import MM, drawing, finger_lines, millimetres
 from palmar.faces.studio.answers.library import case_value
 from palmar.faces.studio.answers.part import Part, Question
+from palmar.mechanics.closure.chain import Chain, largest_hold
 from palmar.models.case import Case, Start
 from palmar.models.contact import Contact
 from palmar.models.guarantee import Guarantee
@@ -21,7 +23,6 @@ from palmar.models.hand import Hand
 from palmar.models.objects import Disk
 from palmar.models.quantity import LARGEST_LENGTH, Real, Value
 from palmar.studies.closure_map import closure_map, grid_map
-from palmar.studies.jointed_closure import jointed_closure
 
 LEAST_SHARE = 1e-3
 """Of half the hand, of palm and links of a hand that is drawn."""
@@ -85,13 +86,15 @@ def _case(at: At, palm: float, largest: float | None) -> Case | None:
 
 def _hold(case: Case) -> dict[str, Any] | None:
     """The pose that holds the largest disk."""
-    stance = jointed_closure(case).largest[0]
-    if stance is None:
+    links = case.hand.finger_links
+    hold = largest_hold(Chain(case.hand.half_palm, links))
+    if hold is None:
         return None
-    right, left = finger_lines(case.hand, stance.angles, stance.angles)
+    joints = posture(hold.joints, links, hold.radius, hold.height, hold.elevation)
+    right, left = finger_lines(case.hand, joints, joints)
     return {
-        "radius_mm": MM * stance.radius,
-        "centre_mm": [0.0, MM * stance.height],
+        "radius_mm": MM * hold.radius,
+        "centre_mm": [0.0, MM * hold.height],
         "right_mm": millimetres(right),
         "left_mm": millimetres(left),
     }

@@ -12,8 +12,10 @@ from pydantic import Field
 from palmar.faces.cli.world_option import maker_of
 from palmar.faces.plots.film_scene import Scene, scene, split
 from palmar.faces.records import simulation_record
+from palmar.faces.studio.answers.behaviour import is_simulated, motion_of, performed
 from palmar.faces.studio.answers.drawing import MM, finger_lines, millimetres
 from palmar.faces.studio.answers.part import Part, Question
+from palmar.faces.trace_record import run_record
 from palmar.models.case import Case
 from palmar.models.outcome import Outcome
 from palmar.models.quantity import LARGEST_LENGTH, Real, Value
@@ -36,10 +38,9 @@ class Begin(Value):
 
 
 def simulate(asked: Question) -> Iterator[Part]:
-    """The command line's record, then the motion."""
+    """The command line's record, then the motion: of closing, or of the case's behaviour under feedback."""
     case, given = asked.required_case, asked.parameters(Begin)
-    make = maker_of(given.world)
-    value = _played(case, begin_of(case, given), make)
+    value = _played(case, begin_of(case, given), maker_of(given.world))
     yield Part("record", value["record"])
     yield Part("motion", value["motion"])
 
@@ -70,7 +71,17 @@ def simulated(case: Case, begin: tuple[float, ...], make: WorldMaker | None) -> 
     return simulate_start(case, begin) if make is None else simulate_start_in(case, begin, make)
 
 
+def record_of(case: Case, begin: tuple[float, ...], make: WorldMaker | None) -> dict[str, Any]:
+    """`palmar simulate --json`, or `palmar behaviours run --json` where the case names another behaviour."""
+    if is_simulated(case):
+        return simulation_record(simulated(case, begin, make))
+    return run_record(performed(case, begin, make))
+
+
 def _played(case: Case, begin: tuple[float, ...], make: WorldMaker | None) -> dict[str, Any]:
+    if not is_simulated(case):
+        done = performed(case, begin, make)
+        return {"record": run_record(done), "motion": motion_of(done)}
     result = simulated(case, begin, make)
     film = scene(case, begin, result, None if make is None else film_in(case, begin, make))
     return {"record": simulation_record(result), "motion": motion_value(film, result)}
