@@ -15,7 +15,7 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-PATIENCE = 15_000.0
+PATIENCE = 120_000.0
 """ms: the first answer of a kind may have to wait for kernels to be compiled."""
 
 
@@ -57,7 +57,6 @@ class Studio:
     def settled(self) -> None:
         """Wait until every answer to the present case is there."""
         expect(self.page.locator("[data-answer=guarantee]")).to_be_visible()
-        expect(self.page.get_by_text("quick answer")).to_have_count(0)
         expect(self.page.locator(".badge.wait")).to_have_count(0)
 
     def grip(self, name: str) -> Locator:

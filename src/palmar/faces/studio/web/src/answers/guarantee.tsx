@@ -19,7 +19,7 @@ export function GuaranteeBadge({ guarantee, waiting }: { guarantee: Guarantee; w
       <span className={`badge ${guarantee}`} title={meaning}>
         {name}
       </span>
-      {waiting && <span className="badge wait">quick answer, the exact one follows</span>}
+      {waiting && <span className="badge wait slow">quick, exact follows</span>}
     </span>
   );
 }

@@ -1,9 +1,10 @@
 /** From where it is caught: area, allowed error and guarantee of every model asked for, side by side. */
 
-import type { RegionRecord } from "../wire/records";
-import { area, digits, millimetres, place } from "./amounts";
+import type { RegionRecord, ValidityValue } from "../wire/records";
+import { area, degrees, digits, millimetres, place } from "./amounts";
 import { Progress } from "./progress";
 import { GuaranteeBadge, guaranteeMeaning } from "./guarantee";
+import type { BehaviourRegion } from "./use_behaviour_region";
 import type { Look } from "./use_look";
 
 const MODELS: readonly (readonly [name: string, meaning: string])[] = [
@@ -13,14 +14,15 @@ const MODELS: readonly (readonly [name: string, meaning: string])[] = [
 ];
 
 interface RegionFactsProps {
-  readonly look: Look;
+  readonly simulated: BehaviourRegion;
   readonly models: readonly string[];
   readonly onModels: (models: readonly string[]) => void;
   readonly closure: string;
   readonly onClosure: (closure: string) => void;
 }
 
-export function RegionFacts({ look, models, onModels, closure, onClosure }: RegionFactsProps) {
+export function RegionFacts({ simulated, models, onModels, closure, onClosure }: RegionFactsProps) {
+  const { look } = simulated;
   const turn = (name: string) => {
     const next = MODELS.map(([each]) => each).filter((each) => models.includes(each) !== (each === name));
     if (next.length > 0) onModels(next);
@@ -54,12 +56,39 @@ export function RegionFacts({ look, models, onModels, closure, onClosure }: Regi
             {each}
           </p>
         ))}
+      {look.validity && look.regions.length > 0 && <Validity value={look.validity} />}
       {look.uncovered.map((each) => (
         <p key={each.model} className="error small">
           {each.model} model: {each.uncovered}
         </p>
       ))}
+      {simulated.offered && (
+        <button type="button" onClick={simulated.ask} disabled={simulated.answer.busy}>
+          Simulate this behaviour's region
+        </button>
+      )}
+      <Progress answer={simulated.answer} />
     </section>
+  );
+}
+
+/** How fast the fingers may close for the numbers above to apply, and what is not known. */
+function Validity({ value: { validity } }: { value: ValidityValue }) {
+  const slow = validity.quasi_static;
+  const limit = slow?.rate_limit_rad_s == null ? "without a limit" : `limit ${degrees(slow.rate_limit_rad_s)}/s`;
+  return (
+    <>
+      {slow && (
+        <p className="small muted">
+          Closing at {degrees(slow.rate_rad_s)}/s is {slow.verdict} ({limit}).
+        </p>
+      )}
+      {validity.uncovered.map((each) => (
+        <p key={each} className="small muted">
+          Not known: {each}.
+        </p>
+      ))}
+    </>
   );
 }
 
@@ -78,7 +107,7 @@ function FactsTable({ records, look }: { records: readonly RegionRecord[]; look:
     ["starts simulated apart", (each) => (each.spacing_m == null ? null : millimetres(each.spacing_m))],
   ];
   return (
-    <table className={look.late ? "facts late" : "facts"}>
+    <table className={`facts models${records.length > 2 ? " many" : ""}${look.late ? " late" : ""}`}>
       <thead>
         <tr>
           <th />

@@ -3,7 +3,7 @@
 import { useMemo } from "react";
 import type { CaseFile } from "../case/case_file";
 import type { Connection, Part } from "../wire/connection";
-import type { ClosureRecord, DrawingValue, RegionValue, Uncovered } from "../wire/records";
+import type { ClosureRecord, DrawingValue, RegionValue, Uncovered, ValidityValue } from "../wire/records";
 import { useAnswer, type Question } from "../wire/use_answer";
 
 export interface Look {
@@ -14,6 +14,9 @@ export interface Look {
   readonly uncovered: readonly Uncovered[];
   /** Models whose exact answer has not come yet. */
   readonly quick: ReadonlySet<string>;
+  /** Whether the verdict is a quick one, to be followed by the whole. */
+  readonly verdictQuick: boolean;
+  readonly validity: ValidityValue | null;
   /** The regions are those of an earlier case: this one's are still to come. */
   readonly late: boolean;
   readonly error: string | null;
@@ -37,6 +40,8 @@ export function useLook(connection: Connection, file: CaseFile, models: readonly
     const values = found.map((part) => part.value as RegionValue | Uncovered);
     return {
       closure: (parts.get("closure")?.value ?? null) as ClosureRecord | null,
+      verdictQuick: parts.get("closure")?.stage === "quick",
+      validity: (parts.get(`validity ${models[0]}`)?.value ?? null) as ValidityValue | null,
       drawing: (parts.get("drawing")?.value ?? null) as DrawingValue | null,
       regions: values.filter((each): each is RegionValue => "record" in each),
       uncovered: values.filter((each): each is Uncovered => "uncovered" in each),

@@ -20,11 +20,12 @@ const rangeWords = (range: RadiusRange | null): string => {
     .join(" and ");
 };
 
-export function ClosureFacts({ closure, disk }: { closure: ClosureRecord; disk: boolean }) {
+export function ClosureFacts({ closure, disk, quick }: { closure: ClosureRecord; disk: boolean; quick: boolean }) {
   const { object, changes = [], kept_straight: straight, notes = [] } = closure;
   return (
     <section className="stack" aria-label="Can this hand hold it?">
       <h2>Can this hand hold it?</h2>
+      {quick && <span className="badge wait slow">quick, exact follows</span>}
       <div data-answer="verdict">
         <Verdict yes={object.structural} words="without friction" />
         <Verdict yes={object.frictional} words="with friction" />

@@ -1,22 +1,24 @@
 /** Export of what is on screen, in the formats of the command line. */
 
 import { useId, useState } from "react";
+import { useStudio } from "./studio_context";
 import { exportFile, type ExportWish } from "./download";
 
 export interface Exportable {
   readonly words: string;
-  readonly formats: readonly string[];
   readonly wish: Omit<ExportWish, "format">;
 }
 
-/** One choice of what and in which format, and a button. */
+/** One choice of what and in which of the server's formats, and a button. */
 export function ExportMenu({ things }: { things: readonly Exportable[] }) {
   const id = useId();
   const [chosen, choose] = useState("");
   const [busy, setBusy] = useState(false);
   const [error, setError] = useState<string | null>(null);
+  const { hello } = useStudio();
+  const formatsOf = (each: Exportable) => hello?.exports[each.wish.what] ?? [];
   const options = things.flatMap((each) =>
-    each.formats.map((format) => ({ each, format, name: `${each.words} ${format}` })),
+    formatsOf(each).map((format) => ({ each, format, name: `${each.words} ${format}` })),
   );
   const option = options.find(({ name }) => name === chosen) ?? options[0];
   if (!option) return null;
@@ -32,7 +34,7 @@ export function ExportMenu({ things }: { things: readonly Exportable[] }) {
         <select id={id} value={option.name} onChange={(event) => choose(event.target.value)}>
           {things.map((each) => (
             <optgroup key={each.words} label={each.words}>
-              {each.formats.map((format) => (
+              {formatsOf(each).map((format) => (
                 <option key={format} value={`${each.words} ${format}`}>
                   {`${each.words}, ${format}`}
                 </option>

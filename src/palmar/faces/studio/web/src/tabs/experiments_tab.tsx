@@ -43,7 +43,6 @@ export function ExperimentsTab() {
             things={[
               {
                 words: `figure ${figure.number}`,
-                formats: ["svg", "pdf", "png"],
                 wish: { what: "figure", parameters: { figure: figure.number } },
               },
             ]}

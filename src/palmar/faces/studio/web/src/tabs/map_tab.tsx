@@ -95,7 +95,6 @@ export function MapTab() {
             things={[
               {
                 words: "closure map",
-                formats: ["svg", "pdf", "png", "json"],
                 wish: { what: "map", parameters: { grid: 101 } },
               },
             ]}

@@ -3,6 +3,7 @@
 import { useMemo, useState } from "react";
 import { ClosureFacts } from "../answers/verdict";
 import { RegionFacts } from "../answers/region_facts";
+import { useBehaviourRegion } from "../answers/use_behaviour_region";
 import { useLook } from "../answers/use_look";
 import { Legend } from "../drawing/regions";
 import { placeOfError } from "../panel/fields";
@@ -31,7 +32,8 @@ export function StudioTab() {
   const [closure, setClosure] = useState("frictional");
   const [mode, setMode] = useState("look");
   const [shown, setShown] = useState<ShownInStage>({ centre: true, contact: true, whole: false, grips: true });
-  const look = useLook(connection, file, models, closure);
+  const simulated = useBehaviourRegion(connection, file, useLook(connection, file, models, closure));
+  const { look } = simulated;
   const modes: Readonly<Record<string, Mode>> = {
     look: LOOK,
     play: usePlay(mode === "play"),
@@ -73,13 +75,19 @@ export function StudioTab() {
       <div className="stack answers" aria-live="off">
         <div className="card">
           {look.closure ? (
-            <ClosureFacts closure={look.closure} disk={file.object.shape === "disk"} />
+            <ClosureFacts closure={look.closure} disk={file.object.shape === "disk"} quick={look.verdictQuick} />
           ) : (
             <p className="muted">{look.error ? "No answer for this case." : "Waiting for the first answer…"}</p>
           )}
         </div>
         <div className="card">
-          <RegionFacts look={look} models={models} onModels={setModels} closure={closure} onClosure={setClosure} />
+          <RegionFacts
+            simulated={simulated}
+            models={models}
+            onModels={setModels}
+            closure={closure}
+            onClosure={setClosure}
+          />
         </div>
         <div className="card">
           <ExportMenu things={[...now.exports, ...things]} />
@@ -97,7 +105,6 @@ function regionExports(file: unknown, models: readonly string[], closure: string
       ? [
           {
             words: "comparison of models",
-            formats: ["svg", "pdf", "png"],
             wish: { what: "comparison", case: file, parameters: { models, closure } },
           },
         ]
@@ -105,17 +112,15 @@ function regionExports(file: unknown, models: readonly string[], closure: string
   return [
     {
       words: "region",
-      formats: ["svg", "pdf", "png", "dxf", "geojson", "csv", "json"],
       wish: { what: "region", case: file, parameters: { models: [model], closure } },
     },
     ...comparison,
     {
       words: "region swept 100 mm, solid",
-      formats: ["stl", "ply", "glb"],
       wish: { what: "solid", case: file, parameters: { models: [model], closure, sweep_mm: [100] } },
     },
-    { words: "closure", formats: ["json"], wish: { what: "closure", case: file } },
-    { words: "report", formats: ["html"], wish: { what: "report", case: file } },
-    { words: "case", formats: ["toml", "json"], wish: { what: "case", case: file } },
+    { words: "closure", wish: { what: "closure", case: file } },
+    { words: "report", wish: { what: "report", case: file } },
+    { words: "case", wish: { what: "case", case: file } },
   ];
 }

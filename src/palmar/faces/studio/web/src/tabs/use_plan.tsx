@@ -69,9 +69,7 @@ export function usePlan(active: boolean): Mode {
           <Hand fingers={{ right: moment.right_mm, left: moment.left_mm }} thickness={shape.thickness} px={px} />
         </g>
       ),
-    exports: [
-      { words: "plan", formats: ["svg", "pdf", "png", "gif", "json"], wish: { what: "plan", case: file, parameters } },
-    ],
+    exports: [{ words: "plan", wish: { what: "plan", case: file, parameters } }],
     controls: (
       <div className="stack">
         <NumberField

@@ -18,6 +18,9 @@ const WORLDS: readonly (readonly [name: string, words: string])[] = [
   ["mujoco", "MuJoCo"],
 ];
 
+/** Motions that need no sensor; every other behaviour runs under feedback. */
+const CLOSING = ["close", "curl_and_close", "close_coupled"];
+
 export function usePlay(active: boolean): Mode {
   const { file, connection, hello } = useStudio();
   const [world, setWorld] = useState("planar");
@@ -31,19 +34,18 @@ export function usePlay(active: boolean): Mode {
   const seconds = motion ? duration(motion) : 0;
   const player = usePlayer(seconds, motion?.pace ?? 1);
   const shape = useMemo(() => shapeOf(file), [file]);
+  const feedback = !CLOSING.includes(file.behaviour?.name ?? "close");
   const worlds = WORLDS.filter(([name]) => name !== "mujoco" || hello?.mujoco);
   return {
     moving: active && motion !== null,
     bounds: active ? boxOfBounds(value?.bounds_mm) : null,
     plane: ({ px }) => motion && <MotionLayer motion={motion} shape={shape} time={player.time} px={px} />,
-    exports: [
-      {
-        words: "film of the motion",
-        formats: ["gif", "html", ...(hello?.ffmpeg ? ["mp4"] : [])],
-        wish: { what: "film", case: file, parameters: { world } },
-      },
-      { words: "simulation", formats: ["json"], wish: { what: "simulation", case: file, parameters: { world } } },
-    ],
+    exports: feedback
+      ? [{ words: "run, row by row", wish: { what: "trace", case: file, parameters: { world } } }]
+      : [
+          { words: "film of the motion", wish: { what: "film", case: file, parameters: { world } } },
+          { words: "simulation", wish: { what: "simulation", case: file, parameters: { world } } },
+        ],
     controls: (
       <div className="stack">
         <div className="cluster">

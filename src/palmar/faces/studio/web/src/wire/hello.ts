@@ -23,6 +23,8 @@ export interface Hello {
   readonly ffmpeg: boolean;
   readonly kinds: readonly string[];
   readonly limits: { readonly message_bytes: number; readonly grid_points: number; readonly map_grid: number };
+  /** In which formats the server writes what. */
+  readonly exports: Readonly<Record<string, readonly string[]>>;
   readonly behaviours: readonly BehaviourFacts[];
   readonly keys: Readonly<Record<string, Readonly<Record<string, KeyFacts | Readonly<Record<string, KeyFacts>>>>>>;
 }

@@ -55,6 +55,20 @@ export interface RegionValue {
   readonly allowed_mm: { readonly centre: Pair; readonly radius: number } | null;
 }
 
+/** How far the numbers of a region apply. */
+export interface ValidityValue {
+  readonly model: string;
+  readonly validity: {
+    readonly quasi_static: {
+      readonly holds: boolean;
+      readonly verdict: string;
+      readonly rate_rad_s: number;
+      readonly rate_limit_rad_s: number | null;
+    } | null;
+    readonly uncovered: readonly string[];
+  };
+}
+
 /** A model that does not cover the case says why. */
 export interface Uncovered {
   readonly model: string;
