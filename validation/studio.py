@@ -257,6 +257,25 @@ async def fuzz(url: str, pid: int, count: int) -> None:
     print(f"Memory {before:.0f} MB before, {memory(pid):.0f} MB after.")
 
 
+async def deaf(url: str, pid: int, clients: int, seconds: float) -> None:
+    """Some who drag and never read: they are left, and memory does not grow."""
+    before, left = memory(pid), 0
+
+    async def drag() -> None:
+        nonlocal left
+        async with connect(socket_address(url), max_size=2**26, max_queue=1) as socket:
+            try:
+                for k in range(int(seconds * DRAG_RATE)):
+                    await socket.send(json.dumps(message(k, None, "closure_map")))
+                    await asyncio.sleep(1.0 / DRAG_RATE)
+            except ConnectionClosed:
+                left += 1
+
+    await asyncio.gather(*(drag() for _ in range(clients)))
+    sizes = f"{before:.0f} MB before, {memory(pid):.0f} MB after"
+    print(f"\n{clients} who never read, for {seconds:.0f} s: {left} left by the server; {sizes}.")
+
+
 def first_paint(url: str) -> None:
     """How soon the page's files are there."""
     began = time.perf_counter()
@@ -293,6 +312,7 @@ def main() -> None:
             asyncio.run(paused(url, name, case))
             asyncio.run(one(url, name, case, 10.0))
         asyncio.run(many(url, pid, given.clients, given.seconds))
+        asyncio.run(deaf(url, pid, 8, 30.0))
         asyncio.run(fuzz(url, pid, given.bad))
 
 

@@ -83,9 +83,10 @@ def test_bad_frames_are_answered_in_a_line_and_harm_nobody(server):
     assert good[0]["part"] == "cases"
 
 
-def test_a_message_that_is_too_long_closes_the_socket(server):
+@pytest.mark.parametrize("message", ["x" * (LARGEST_MESSAGE + 1), ["x" * 1024] * (LARGEST_MESSAGE // 1024 + 1)])
+def test_a_message_that_is_too_long_closes_the_socket_in_pieces_too(server, message):
     async def talk(page):
-        await page.send("x" * (LARGEST_MESSAGE + 1))
+        await page.send(message)
         await page.recv()
 
     with pytest.raises(ConnectionClosedError) as closed:
@@ -116,9 +117,14 @@ def test_files_come_by_post(server):
         " solid, film, trace, simulation, plan, map, closure, report, figure, case")  # fmt: skip
 
 
-def test_ctrl_c_ends_it_cleanly(server):
-    process, _ = server
-    process.send_signal(signal.SIGINT)
+def test_ctrl_c_ends_it_cleanly_with_a_page_open(server):
+    process, url = server
+
+    async def end(page):
+        process.send_signal(signal.SIGINT)
+        await page.wait_closed()
+
+    on_socket(url, end)
     assert process.wait(20.0) == 0
     assert process.stderr.read() == "palmar: the studio is closed\n"
 

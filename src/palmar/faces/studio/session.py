@@ -25,6 +25,8 @@ MOST_UNSENT = 4 * 2**20
 """Characters that wait for a client that does not read; with more, nothing is computed for it."""
 SLOWEST_SEND = 15.0
 """Seconds after which a client that takes nothing is left."""
+LONGEST_FAREWELL = 0.5
+"""Seconds for saying that it is left."""
 RATE, BURST = 240.0, 480.0
 """Messages a second that are read, and at once."""
 
@@ -148,6 +150,7 @@ class Pace:
 
 
 async def _close(socket: WebSocket, code: int = 1008) -> None:
-    """Close from this side; the other may be quicker."""
-    with suppress(RuntimeError, WebSocketDisconnect):
-        await socket.close(code)
+    """Close from this side; the other may be quicker, or take nothing any more."""
+    with suppress(RuntimeError, TimeoutError, WebSocketDisconnect):
+        async with asyncio.timeout(LONGEST_FAREWELL):
+            await socket.close(code)
