@@ -129,6 +129,12 @@ export function removeCorner(file: CaseFile, index: number): CaseFile {
 export const dragStart = (file: CaseFile, to: Point, step: number): CaseFile =>
   withValue(file, "start", "at_mm", [rounded(to[0], step), rounded(to[1], step)]);
 
+/** One number of the start's place or velocity. */
+export function withStart(file: CaseFile, name: "at_mm" | "velocity_mm_s", along: 0 | 1, to: Quantity): CaseFile {
+  const [x, y] = file.start?.[name] ?? (name === "at_mm" ? [0, 120] : [0, 0]);
+  return withValue(file, "start", name, along === 0 ? [to, y] : [x, to]);
+}
+
 /** The object turned so that its mark points to `to`. */
 export const dragTurn = (file: CaseFile, to: Point): CaseFile =>
   withValue(file, "start", "theta_deg", Math.round(direction(minus(to, shapeOf(file).at))));
@@ -150,6 +156,10 @@ export function withShape(file: CaseFile, shape: "disk" | "polygon"): CaseFile {
   const corners: Point[] = [[-half, -half], [half, -half], [half, half], [-half, half]]; // prettier-ignore
   return { ...file, object: { shape, vertices_mm: corners, ...mass } };
 }
+
+/** One link of both fingers as long as given. */
+export const withLink = (file: CaseFile, index: number, to: Quantity): CaseFile =>
+  withHand(file, { finger_links_mm: replaced(file.hand.finger_links_mm, index, to) });
 
 /** The hand with so many links a finger, as long as before; further joints' limits go, they were of other joints. */
 export function withLinks(file: CaseFile, count: number): CaseFile {

@@ -10,8 +10,11 @@ export interface History {
   readonly gesture: string | null;
 }
 
+/** A new case, or how to make it from the present one. */
+export type Edited = CaseFile | ((now: CaseFile) => CaseFile);
+
 export type Change =
-  | { readonly kind: "edit"; readonly to: CaseFile; readonly gesture: string | null }
+  | { readonly kind: "edit"; readonly to: Edited; readonly gesture: string | null }
   | { readonly kind: "settle" }
   | { readonly kind: "undo" }
   | { readonly kind: "redo" };
@@ -25,9 +28,10 @@ export function changed(history: History, change: Change): History {
   const { past, now, future, gesture } = history;
   switch (change.kind) {
     case "edit": {
-      if (same(change.to, now)) return history;
+      const to = typeof change.to === "function" ? change.to(now) : change.to;
+      if (same(to, now)) return history;
       const goesOn = change.gesture !== null && change.gesture === gesture;
-      return { past: goesOn ? past : [...past, now].slice(-MOST), now: change.to, future: [], gesture: change.gesture };
+      return { past: goesOn ? past : [...past, now].slice(-MOST), now: to, future: [], gesture: change.gesture };
     }
     case "settle":
       return gesture === null ? history : { ...history, gesture: null };

@@ -1,5 +1,6 @@
 /** Fields of the panel bound to keys of the case. */
 
+import { useCallback } from "react";
 import type { Quantity } from "../case/case_file";
 import { withValue, type Section } from "../case/edit";
 import type { KeyFacts } from "../wire/hello";
@@ -43,6 +44,10 @@ export function BoundNumber({ section, name, absent = 0, error }: BoundProps) {
   const fallback = typeof facts?.default === "number" ? facts.default : absent;
   const value = (given ?? fallback) as Quantity;
   const [low, high] = [look.low ?? Math.max(facts?.minimum ?? 0, -1000), look.high];
+  const change = useCallback(
+    (to: Quantity) => edit((now) => withValue(now, section, name, to), `${section}.${name}`),
+    [edit, section, name],
+  );
   return (
     <NumberField
       label={look.label}
@@ -52,7 +57,7 @@ export function BoundNumber({ section, name, absent = 0, error }: BoundProps) {
       {...(high === undefined ? {} : { high })}
       step={look.step}
       error={errorAt(error, place)}
-      onChange={(to) => edit(withValue(file, section, name, to), place)}
+      onChange={change}
       onSettle={settle}
     />
   );

@@ -1,7 +1,8 @@
 /** The hand's part of the panel. */
 
-import { middle } from "../case/case_file";
-import { withLinks, withValue } from "../case/edit";
+import { useCallback } from "react";
+import { middle, type Quantity } from "../case/case_file";
+import { withLink, withLinks, withValue } from "../case/edit";
 import { useStudio } from "../shell/studio_context";
 import { ChoiceField } from "./choice_field";
 import { BoundChoice, BoundNumber, errorAt } from "./fields";
@@ -10,7 +11,7 @@ import { NumberField } from "./number_field";
 const COUNTS = ["1", "2", "3", "4", "5", "6"];
 
 export function HandFields({ error }: { error: string | null }) {
-  const { file, edit, settle } = useStudio();
+  const { file, edit } = useStudio();
   const links = file.hand.finger_links_mm;
   const counts = COUNTS.includes(String(links.length)) ? COUNTS : [...COUNTS, String(links.length)];
   return (
@@ -24,20 +25,7 @@ export function HandFields({ error }: { error: string | null }) {
         onChange={(count) => edit(withLinks(file, Number(count)), null)}
       />
       {links.map((link, i) => (
-        <NumberField
-          key={i}
-          label={links.length === 1 ? "Finger length" : `Link ${i + 1}${i === 0 ? ", at the palm" : ""}`}
-          unit="mm"
-          value={link}
-          low={0}
-          step={1}
-          error={i === 0 ? errorAt(error, "hand.finger_links_mm") : null}
-          onChange={(to) => {
-            const next = links.map((each, k) => (k === i ? to : each));
-            edit(withValue(file, "hand", "finger_links_mm", next), `link${i}`);
-          }}
-          onSettle={settle}
-        />
+        <LinkField key={i} index={i} value={link} only={links.length === 1} error={error} />
       ))}
       <BoundNumber section="hand" name="finger_thickness_mm" error={error} />
       <BoundNumber section="hand" name="open_deg" error={error} />
@@ -62,6 +50,31 @@ export function HandFields({ error }: { error: string | null }) {
         />
       )}
     </fieldset>
+  );
+}
+
+interface LinkFieldProps {
+  readonly index: number;
+  readonly value: Quantity;
+  readonly only: boolean;
+  readonly error: string | null;
+}
+
+/** Length of one link. */
+function LinkField({ index, value, only, error }: LinkFieldProps) {
+  const { edit, settle } = useStudio();
+  const change = useCallback((to: Quantity) => edit((now) => withLink(now, index, to), `link${index}`), [edit, index]);
+  return (
+    <NumberField
+      label={only ? "Finger length" : `Link ${index + 1}${index === 0 ? ", at the palm" : ""}`}
+      unit="mm"
+      value={value}
+      low={0}
+      step={1}
+      error={index === 0 ? errorAt(error, "hand.finger_links_mm") : null}
+      onChange={change}
+      onSettle={settle}
+    />
   );
 }
 

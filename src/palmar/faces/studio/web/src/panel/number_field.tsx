@@ -1,6 +1,6 @@
 /** One value as a number and a slider. Ranges ("0.2..0.8") can be typed where the case file allows them. */
 
-import { useId, useState, type KeyboardEvent } from "react";
+import { memo, useId, useState, type KeyboardEvent } from "react";
 import { middle, rangeOf, type Quantity } from "../case/case_file";
 import { roundStep } from "../drawing/view";
 
@@ -30,7 +30,8 @@ export function typed(text: string): Quantity | null {
   return rangeOf(plain) ? plain : null;
 }
 
-export function NumberField({
+/** Fields whose value stays are not made anew while another one is dragged. */
+export const NumberField = memo(function NumberField({
   label,
   unit = "",
   value,
@@ -106,6 +107,6 @@ export function NumberField({
       )}
     </div>
   );
-}
+});
 
 const upperEnd = (value: number, step: number): number => roundStep(Math.max(2 * Math.abs(value), 20 * step));

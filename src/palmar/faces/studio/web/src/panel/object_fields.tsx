@@ -1,7 +1,8 @@
 /** The object's part of the panel: what it is, and where it starts. */
 
-import { middle, shapeOf, type Point } from "../case/case_file";
-import { addCorner, dragStart, removeCorner, withShape, withValue } from "../case/edit";
+import { useCallback } from "react";
+import { middle, type Quantity } from "../case/case_file";
+import { addCorner, removeCorner, withShape, withStart, withValue } from "../case/edit";
 import { useStudio } from "../shell/studio_context";
 import { ChoiceField } from "./choice_field";
 import { BoundNumber, errorAt } from "./fields";
@@ -105,53 +106,70 @@ function Corners({ error }: { error: string | null }) {
 }
 
 export function StartFields({ error }: { error: string | null }) {
-  const { file, edit, settle } = useStudio();
-  const { at } = shapeOf(file);
-  const velocity = file.start?.velocity_mm_s ?? [0, 0];
-  const put = (to: Point) => edit(dragStart(file, to, 1e-6), "start");
+  const { file } = useStudio();
+  const free = file.support?.kind === "free";
   return (
     <fieldset>
       <legend>Start of the object</legend>
-      <NumberField
-        label="x"
-        unit="mm"
-        value={at[0]}
-        low={-1000}
-        step={1}
-        high={1000}
-        error={errorAt(error, "start.at_mm")}
-        onChange={(x) => put([Number(x), at[1]])}
-        onSettle={settle}
-      />
-      <NumberField
-        label="y"
-        unit="mm"
-        value={at[1]}
-        low={-200}
-        step={1}
-        high={1000}
-        onChange={(y) => put([at[0], Number(y)])}
-        onSettle={settle}
-      />
+      <PairField name="at_mm" along={0} label="x" unit="mm" ends={[-1000, 1000]} absent={0} error={error} />
+      <PairField name="at_mm" along={1} label="y" unit="mm" ends={[-200, 1000]} absent={120} error={error} />
       <BoundNumber section="start" name="theta_deg" error={error} />
-      {file.support?.kind === "free" &&
-        ([0, 1] as const).map((along) => (
-          <NumberField
-            key={along}
-            label={`Velocity along ${along === 0 ? "x" : "y"}`}
+      {free && (
+        <>
+          <PairField
+            name="velocity_mm_s"
+            along={0}
+            label="Velocity along x"
             unit="mm/s"
-            value={velocity[along]}
-            low={-200}
-            high={200}
-            step={1}
-            error={along === 0 ? errorAt(error, "start.velocity_mm_s") : null}
-            onChange={(to) => {
-              const next = along === 0 ? [to, velocity[1]] : [velocity[0], to];
-              edit(withValue(file, "start", "velocity_mm_s", next), `velocity${along}`);
-            }}
-            onSettle={settle}
+            ends={FAST}
+            absent={0}
+            error={error}
           />
-        ))}
+          <PairField
+            name="velocity_mm_s"
+            along={1}
+            label="Velocity along y"
+            unit="mm/s"
+            ends={FAST}
+            absent={0}
+            error={error}
+          />
+        </>
+      )}
     </fieldset>
+  );
+}
+
+const FAST = [-200, 200] as const;
+
+interface PairFieldProps {
+  readonly name: "at_mm" | "velocity_mm_s";
+  readonly along: 0 | 1;
+  readonly label: string;
+  readonly unit: string;
+  readonly ends: readonly [number, number];
+  readonly absent: number;
+  readonly error: string | null;
+}
+
+/** One of the two numbers of a place or velocity. */
+function PairField({ name, along, label, unit, ends, absent, error }: PairFieldProps) {
+  const { file, edit, settle } = useStudio();
+  const change = useCallback(
+    (to: Quantity) => edit((now) => withStart(now, name, along, to), `start.${name}`),
+    [edit, name, along],
+  );
+  return (
+    <NumberField
+      label={label}
+      unit={unit}
+      value={file.start?.[name]?.[along] ?? absent}
+      low={ends[0]}
+      high={ends[1]}
+      step={1}
+      error={along === 0 ? errorAt(error, `start.${name}`) : null}
+      onChange={change}
+      onSettle={settle}
+    />
   );
 }

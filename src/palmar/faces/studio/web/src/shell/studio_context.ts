@@ -2,13 +2,14 @@
 
 import { createContext, useContext } from "react";
 import type { CaseFile } from "../case/case_file";
+import type { Edited } from "../case/history";
 import type { Connection, Status } from "../wire/connection";
 import type { Hello } from "../wire/hello";
 
 export interface Studio {
   readonly file: CaseFile;
   /** Changes the case; steps with the same gesture are undone together, null is a change of its own. */
-  readonly edit: (to: CaseFile, gesture: string | null) => void;
+  readonly edit: (to: Edited, gesture: string | null) => void;
   /** The gesture is over. */
   readonly settle: () => void;
   readonly connection: Connection;

@@ -1,8 +1,8 @@
 /** The case with its history, kept in the address's fragment so that a reload and a shared link have it again. */
 
 import { useCallback, useEffect, useReducer, useState } from "react";
-import { FIRST_CASE, type CaseFile } from "../case/case_file";
-import { begun, changed } from "../case/history";
+import { FIRST_CASE } from "../case/case_file";
+import { begun, changed, type Edited } from "../case/history";
 import { fragmentOf, readFragment } from "../case/share";
 
 /** How long after the last change (ms) the address follows: browsers limit how often it may. */
@@ -14,7 +14,7 @@ export function useCase() {
   const [tab, openTab] = useState(opened.tab ?? "studio");
   const file = history.now;
 
-  const edit = useCallback((to: CaseFile, gesture: string | null) => dispatch({ kind: "edit", to, gesture }), []);
+  const edit = useCallback((to: Edited, gesture: string | null) => dispatch({ kind: "edit", to, gesture }), []);
   const settle = useCallback(() => dispatch({ kind: "settle" }), []);
   const undo = useCallback(() => dispatch({ kind: "undo" }), []);
   const redo = useCallback(() => dispatch({ kind: "redo" }), []);
