@@ -19,9 +19,11 @@ import subprocess
 import sys
 import time
 import urllib.request
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryFile
 from typing import Any
 
 from websockets.asyncio.client import ClientConnection, connect
@@ -41,14 +43,19 @@ DRAG_RATE = 60.0
 
 @contextmanager
 def studio() -> Iterator[tuple[str, int]]:
-    """Address and process number of a server."""
+    """Address and process number of a server; at last, how many errors it logged."""
     words = [sys.executable, "-m", "palmar.faces.cli.main", "studio", "--no-browser", "--port", "0"]
-    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as process:
+    with TemporaryFile("w+") as log, subprocess.Popen(words, stdout=subprocess.PIPE, stderr=log, text=True) as process:
         assert process.stdout is not None
         try:
             yield process.stdout.readline().strip(), process.pid
         finally:
             process.terminate()
+            process.wait()
+            log.seek(0)
+            told = log.read()
+            print(f"\nErrors with a trace in the server's log: {told.count('Traceback')}.")
+            print(told[-3000:], file=sys.stderr)
 
 
 def workers(pid: int) -> list[int]:
@@ -182,79 +189,97 @@ async def many(url: str, pid: int, clients: int, seconds: float) -> None:
           f"{sum(sizes[-fifth:]) / fifth:.0f} MB in the last, {max(sizes):.0f} MB at most.")  # fmt: skip
 
 
+def odd_case(draw: random.Random) -> dict[str, Any]:
+    """A case that may be allowed, with dimensions of any size."""
+
+    def size() -> float:
+        return draw.choice([draw.uniform(1.0, 300.0), 10.0 ** draw.uniform(-7.0, 7.0)])
+
+    item = draw.choice([{"radius_mm": size()}, {"radius_mm": "1..50"}, dict(POLYGON["object"]), {"radius_mm": 38.0}])
+    return {
+        "hand": {
+            "palm_width_mm": size(),
+            "finger_links_mm": [size() for _ in range(draw.choice([1, 1, 2, 3]))],
+            "finger_thickness_mm": draw.choice([0.0, 0.0, size()]),
+            "fingers": draw.choice(["crossing", "colliding"]),
+            "open_deg": draw.choice([0.0, 30.0, 100.0]),
+        },
+        "object": item,
+        "contact": {"friction": draw.choice([0.0, 0.3, 1e3, "0.1..0.9"])},
+        "support": {"kind": draw.choice(["table", "table", "free"])},
+        "start": {"at_mm": [draw.uniform(-200.0, 200.0), size()]},
+        "behaviour": {"name": draw.choice(["close", "close", "close", "curl_and_close", "scoop"])},
+    }
+
+
+NUMBERS: list[Any] = [
+    1e308, -1e308, 10**400, 1e-320, 0, -1, True, None, "x", [], {}, "1..2", "0..1e308", 2**63, "\ud800", [[1, 2]] * 50,
+]  # fmt: skip
+NOT_JSON = ["[" * 100_000, '{"a":' * 50_000, "NaN", '{"id": Infinity}', "", "\x00", "null", "[]", '"look"', "-"]
+
+
 def bad_message(draw: random.Random) -> str | bytes:
     """Something that nobody should send."""
-    whole = message(
-        draw.randrange(10), json.loads(json.dumps(CASE)), draw.choice(["look", "simulate", "paint", "plan", "design"])
-    )
-    numbers = [
-        1e308,
-        -1e308,
-        10**400,
-        1e-320,
-        0,
-        -1,
-        True,
-        None,
-        "x",
-        [],
-        {},
-        "1..2",
-        "0..1e308",
-        2**63,
-        "\ud800",
-        [[1, 2]] * 50,
-    ]
+    kind = draw.choice(["look", "look", "look", "simulate", "paint", "plan", "design"])
+    whole = message(draw.randrange(10), odd_case(draw), kind)
     case, parameters = whole["case"], whole["parameters"]
     section = case[draw.choice(list(case))]
     ways: list[Any] = [
-        lambda: section.update({draw.choice([*section, "unknown"]): draw.choice(numbers)}),
-        lambda: whole.update({draw.choice([*whole, "unknown"]): draw.choice(numbers)}),
-        lambda: parameters.update({draw.choice(PARAMETERS): draw.choice(numbers)}),
-        lambda: case.update({draw.choice(["hand", "object", "start", "x" * 300]): draw.choice(numbers)}),
-    ]  # fmt: skip
-    for _ in range(draw.randint(1, 3)):
+        lambda: section.update({draw.choice([*section, "unknown"]): draw.choice(NUMBERS)}),
+        lambda: whole.update({draw.choice([*whole, "unknown"]): draw.choice(NUMBERS)}),
+        lambda: parameters.update({draw.choice(PARAMETERS): draw.choice(NUMBERS)}),
+        lambda: case.update({draw.choice(["hand", "object", "start", "x" * 300]): draw.choice(NUMBERS)}),
+        lambda: None,
+    ]
+    for _ in range(draw.randint(1, 2)):
         draw.choice(ways)()
-    kind = draw.random()
-    if kind < 0.6:
-        return json.dumps(whole)
-    if kind < 0.7:
-        return draw.choice(
-            ["[" * 100_000, '{"a":' * 50_000, "NaN", '{"id": Infinity}', "", "\x00", "null", "[]", '"look"', "-"]
-        )
-    if kind < 0.75:
+    text, way = json.dumps(whole), draw.random()
+    if way < 0.75:
+        return text
+    if way < 0.85:
+        return draw.choice(NOT_JSON)
+    if way < 0.9:
         return draw.randbytes(draw.randrange(200))
-    text = json.dumps(whole)
     place = draw.randrange(len(text))
     return text[:place] + chr(draw.randrange(1, 0xD7FF)) * draw.randrange(4) + text[place + draw.randrange(5) :]
 
 
 async def fuzz(url: str, pid: int, count: int) -> None:
     """Bad messages by eight clients, some of which leave at once; good ones must still be answered."""
-    answers = errors = closed = 0
-    before, began = memory(pid), time.perf_counter()
+    told = Counter[str]()
+    before, began, at_work = memory(pid), time.perf_counter(), workers(pid)
+
+    async def talk(draw: random.Random, messages: int) -> None:
+        async with connect(socket_address(url), max_size=2**26) as socket:
+            await socket.recv()
+            for _ in range(messages):
+                told["sent"] += 1
+                await socket.send(bad_message(draw))
+                while draw.random() < 0.8:
+                    answer = json.loads(await asyncio.wait_for(socket.recv(), 130.0))
+                    told["answers"] += 1
+                    told["errors"] += "error" in answer
+                    told["defects"] += "defect" in answer.get("error", "") or "unexpected" in answer.get("error", "")
+                    told["over time"] += "took longer" in answer.get("error", "")
+                    if answer["last"]:
+                        break
 
     async def send(seed: int) -> None:
-        nonlocal answers, errors, closed
-        draw, left = random.Random(seed), count // 8
-        while left > 0:
+        draw = random.Random(seed)
+        while told["sent"] < count:
             try:
-                async with connect(socket_address(url), max_size=2**26) as socket:
-                    for _ in range(min(left, draw.randrange(1, 100))):
-                        left -= 1
-                        await socket.send(bad_message(draw))
-                        if draw.random() < 0.3:
-                            answer = json.loads(await asyncio.wait_for(socket.recv(), 60.0))
-                            answers, errors = answers + 1, errors + ("error" in answer)
+                await talk(draw, min(count - told["sent"], draw.randrange(1, 100)))
             except ConnectionClosed:
-                closed += 1
+                told["closed"] += 1
 
     await asyncio.gather(*(send(seed) for seed in range(8)))
     spent = time.perf_counter() - began
-    told_errors = f"{answers} answers read, {errors} of them errors"
-    print(f"\n{count} bad messages in {spent:.0f} s: {told_errors}, {closed} connections closed.")
+    print(
+        f"\n{told.pop('sent')} bad messages in {spent:.0f} s: {', '.join(f'{n} {what}' for what, n in told.items())}."
+    )
     await paused(url, "after the bad messages", CASE, 10)
-    print(f"Memory {before:.0f} MB before, {memory(pid):.0f} MB after.")
+    anew = len(set(workers(pid)) - set(at_work))
+    print(f"Workers started anew meanwhile: {anew}. Memory {before:.0f} MB before, {memory(pid):.0f} MB after.")
 
 
 async def deaf(url: str, pid: int, clients: int, seconds: float) -> None:

@@ -6,6 +6,7 @@ import difflib
 import json
 import re
 import tomllib
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -200,6 +201,8 @@ def _to_si(value: Any, unit: Unit | None, place: tuple[str | int, ...], where: s
         return [_to_si(item, unit, (*place, i), f"{where}[{i}]", found) for i, item in enumerate(value)]
     if isinstance(value, str) and (match := _RANGE.fullmatch(value)):
         low, high = (_scaled(float(end), unit) for end in match.groups())
+        if not isfinite(low) or not isfinite(high):
+            raise InputError(where, json.dumps(value), "both ends of a range must be finite numbers")
         if not low <= high:
             raise InputError(where, json.dumps(value), "the lower end of a range comes first")
         found.append(Range(place=place, low=low, high=high))

@@ -125,20 +125,33 @@ def test_a_worker_that_dies_costs_one_answer(monkeypatch):
     assert with_pool(monkeypatch, scenario) == [(1, "the computation came to an unexpected end"), (2, None)]
 
 
-def test_long_steps_leave_a_worker_to_quick_ones_and_one_client_has_one_at_a_time(monkeypatch):
+def test_long_steps_leave_a_worker_to_quick_ones(monkeypatch):
     async def scenario(pool):
-        greedy, other = Asker(), Asker()
-        for seq, channel in enumerate("abc"):
-            pool.submit(Job(greedy, Kind.PLAN, {"seq": seq}, None, {"sleep": 0.3}, channel))
-        await asyncio.sleep(0.3)
-        at_work = sum(each.job is not None for each in pool.seats)
+        slow, other = [Asker() for _ in range(4)], Asker()
+        for each in slow:
+            pool.submit(question(each, 1, Kind.PLAN, sleep=0.4))
+        while not all(seat.ready for seat in pool.seats):
+            await asyncio.sleep(0.01)
+        at_work = sum(seat.job is not None for seat in pool.seats)
         pool.submit(question(other, 9, Kind.CASES))
         await other.until(1)
-        return at_work, len(greedy.ends)
+        return at_work, sum(len(each.ends) for each in slow)
 
-    at_work, ended = with_pool(monkeypatch, scenario, workers=3)
-    assert at_work == 1
-    assert ended < 2
+    assert with_pool(monkeypatch, scenario, workers=3) == (2, 0)
+
+
+def test_of_one_client_one_long_step_runs_at_a_time(monkeypatch):
+    async def scenario(pool):
+        greedy = Asker()
+        for seq, channel in enumerate("abc"):
+            pool.submit(Job(greedy, Kind.PLAN, {"seq": seq}, None, {"sleep": 0.05}, channel))
+        most = 0
+        while len(greedy.ends) < 3:
+            most = max(most, sum(seat.job is not None for seat in pool.seats))
+            await asyncio.sleep(0.01)
+        return most
+
+    assert with_pool(monkeypatch, scenario, workers=4) == 1
 
 
 def test_nothing_is_computed_for_one_who_has_left_or_does_not_read(monkeypatch):

@@ -113,6 +113,7 @@ def test_files_come_by_post(server):
     status, name, data = post({"what": "case", "format": "toml", "case": case})
     assert (status, name, data[:6]) == (200, 'attachment; filename="palmar_case.toml"', b"[hand]")
     assert post({"what": "case", "format": "toml", "case": case}, "text/plain")[0] == 400
+    assert post({"what": "case", "format": "toml", "case": case + "#" * LARGEST_MESSAGE})[0] == 400
     assert post({"what": "nothing", "format": "toml"})[::2] == (422, "what = 'nothing': must be one of region, comparison,"
         " solid, film, trace, simulation, plan, map, closure, report, figure, case")  # fmt: skip
 

@@ -59,10 +59,11 @@ class Seat:
             )
             try:
                 await self._listen(self.process)
+            except asyncio.CancelledError:
+                self.process.kill()
+                raise
             finally:
                 self.ready = self.compiling = False
-                if self.process.returncode is None:
-                    self.process.kill()
                 await self.process.communicate()
             self._ended(self.why or "the computation came to an unexpected end")
             await asyncio.sleep(PAUSE if not self.why else 0.0)
