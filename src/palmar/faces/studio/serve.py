@@ -22,7 +22,8 @@ from palmar.faces.studio.requests import LARGEST_MESSAGE
 SHORTEST_TOKEN = 16
 LOOPBACK = "127.0.0.1"
 MOST_CONNECTIONS = 256
-GRACE = 2
+GRACE = 5
+"""Seconds for open pages to leave at the end."""
 
 
 @dataclass(frozen=True)
