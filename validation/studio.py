@@ -37,6 +37,7 @@ CASE: dict[str, Any] = {
 HEXAGON = [[35.0 * math.cos(math.pi * k / 3.0), 35.0 * math.sin(math.pi * k / 3.0)] for k in range(6)]
 POLYGON: dict[str, Any] = {**CASE, "object": {"shape": "polygon", "vertices_mm": HEXAGON}}
 PARAMETERS = ("models", "closure", "start_mm", "theta_deg", "world", "columns", "rows", "x_mm", "uncertainty", "study")
+TABLE = "| | answers a second | median (ms) | 95th percentile (ms) | most (ms) |\n|---|---|---|---|---|"
 DRAG_RATE = 60.0
 """Messages a second of one who drags."""
 
@@ -140,12 +141,16 @@ def told(name: str, values: list[float], seconds: float) -> str:
     return f"| {name} | {len(late) / seconds:.1f} | {median:.1f} | {most:.1f} | {late[-1]:.1f} |"
 
 
-async def one(url: str, name: str, case: dict[str, Any], seconds: float) -> None:
-    """One client who drags, and then one who asks and waits in turn."""
-    drag = Drag(url, case, seconds)
+async def one(url: str, pid: int, name: str, case: dict[str, Any], seconds: float) -> str:
+    """One client who drags; in a line what it costs."""
+    drag, began = Drag(url, case, seconds), used(pid)
     await drag.run()
+    server, work, _ = (each - before for each, before in zip(used(pid), began, strict=True))
     print(told(f"one client, {name}: first region", drag.quick, seconds))
     print(told(f"one client, {name}: the command line's region", drag.settled, seconds))
+    each = 1e3 / max(len(drag.quick), 1)
+    spent = f"{each * server:.1f} ms of the server, {each * work:.1f} ms of its workers"
+    return f"Processor time for a first region of {name} and what follows it: {spent}."
 
 
 async def paused(url: str, name: str, case: dict[str, Any], count: int = 40) -> None:
@@ -280,7 +285,9 @@ async def fuzz(url: str, pid: int, count: int) -> None:
     print(
         f"\n{told.pop('sent')} bad messages in {spent:.0f} s: {', '.join(f'{n} {what}' for what, n in told.items())}."
     )
+    print(f"\n{TABLE}")
     await paused(url, "after the bad messages", CASE, 10)
+    print()
     anew = len(set(workers(pid)) - set(at_work))
     print(f"Workers started anew meanwhile: {anew}. Memory {before:.0f} MB before, {memory(pid):.0f} MB after.")
 
@@ -335,10 +342,12 @@ def main() -> None:
     with studio() as (url, pid):
         first_paint(url)
         asyncio.run(warmed(url))
-        print("\n| | answers a second | median (ms) | 95th percentile (ms) | most (ms) |\n|---|---|---|---|---|")
+        print("\n" + TABLE)
+        costs = []
         for name, case in (("a disk", CASE), ("a polygon", POLYGON)):
             asyncio.run(paused(url, name, case))
-            asyncio.run(one(url, name, case, 10.0))
+            costs.append(asyncio.run(one(url, pid, name, case, 10.0)))
+        print("\n" + "\n".join(costs) + "\n\n" + TABLE)
         asyncio.run(many(url, pid, given.clients, given.seconds))
         asyncio.run(deaf(url, pid, 8, 30.0))
         asyncio.run(fuzz(url, pid, given.bad))
