@@ -36,4 +36,7 @@ def test_lock_of_the_page_has_hashes_and_no_address():
 
 
 def test_page_needs_react_alone_at_run_time():
-    assert json.loads((WEB / "package.json").read_text(encoding="utf-8"))["dependencies"].keys() == {"react", "react-dom"}
+    assert json.loads((WEB / "package.json").read_text(encoding="utf-8"))["dependencies"].keys() == {
+        "react",
+        "react-dom",
+    }

@@ -144,6 +144,7 @@ def bundle() -> list[tuple[str, float]]:
 
 
 def main() -> None:
+    """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=6.0)
     parser.add_argument("--rounds", type=int, default=3)
@@ -155,7 +156,9 @@ def main() -> None:
     print(f"bundle, gzipped: {sum(size for _, size in sizes):.1f} kB ({', '.join(f'{k} {v:.1f}' for k, v in sizes)})")
     with studio() as address, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        print(f"{platform.machine()}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, chromium {browser.version}")
+        print(
+            f"{platform.machine()}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, chromium {browser.version}"
+        )
         first_paint(browser, address)
         for _ in range(given.rounds):
             content, drawn = first_paint(browser, address)
