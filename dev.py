@@ -133,7 +133,8 @@ def main(words: list[str]) -> None:
     if not words or words[0] not in COMMANDS or (words[1:] and words[0] not in TAKE_WORDS):
         print(__doc__, file=sys.stderr)
         sys.exit(0 if words in (["-h"], ["--help"]) else 2)
-    setup()
+    if words[0] != "web":
+        setup()
     command = COMMANDS[words[0]]
     if command is not None:
         command(*words[1:])

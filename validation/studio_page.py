@@ -144,7 +144,7 @@ def bundle() -> list[tuple[str, float]]:
 
 
 def main() -> None:
-    """All of it."""
+    """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=6.0)
     parser.add_argument("--rounds", type=int, default=3)
