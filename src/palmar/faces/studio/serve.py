@@ -53,7 +53,7 @@ def serve(address: Address, *, browser: bool) -> None:
     config = uvicorn.Config(
         make_app(Pool(workers_here()), door, ready),
         ws="websockets-sansio", ws_max_size=LARGEST_MESSAGE, ws_max_queue=16, ws_per_message_deflate=False,
-        http="h11", loop="asyncio", log_level="warning", access_log=False, server_header=False,
+        http="h11", loop="asyncio", log_level="warning", access_log=False, server_header=False, proxy_headers=False,
         limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=GRACE,
     )  # fmt: skip
     try:
