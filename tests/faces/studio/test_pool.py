@@ -21,6 +21,8 @@ while head := read(4):
     time.sleep(job["parameters"].get("sleep", 0.0))
     if job["parameters"].get("die"):
         sys.exit()
+    if job["parameters"].get("leave"):
+        say(b"l"); say(b"d"); time.sleep(0.1); sys.exit()
     say(b"pslot\\n" + json.dumps([job["head"]["seq"], job["step"]]).encode())
     say(b"d")
 """
@@ -51,12 +53,12 @@ def question(client, seq, kind=Kind.LOOK, **parameters):
     return Job(client, kind, {"seq": seq}, None, parameters, number=seq)
 
 
-def with_pool(monkeypatch, scenario, workers=2):
+def with_pool(monkeypatch, scenario, workers=2, rest=0.05):
     """Run a scenario with workers that sleep instead of computing."""
     monkeypatch.setattr(seat, "COMMAND", (sys.executable, "-c", STUB))
     monkeypatch.setattr(seat, "PAUSE", 0.0)
     monkeypatch.setattr(pool, "CHECKED_EVERY", 0.02)
-    short = (Step(Lane.QUICK, 0.5), Step(Lane.LONG, 0.5), Step(Lane.LONG, 0.5, 0.05))
+    short = (Step(Lane.QUICK, 5.0), Step(Lane.LONG, 5.0), Step(Lane.LONG, 5.0, rest))
     monkeypatch.setitem(kinds.STEPS, Kind.LOOK, short)
     monkeypatch.setitem(kinds.STEPS, Kind.PLAN, (Step(Lane.LONG, 0.5),))
     monkeypatch.setitem(kinds.STEPS, Kind.CASES, (Step(Lane.QUICK, 0.5),))
@@ -99,6 +101,35 @@ def test_the_newest_question_wins_and_what_waits_is_dropped(monkeypatch):
     assert len(anna.parts) < 15
 
 
+def test_of_a_question_that_something_newer_replaces_the_step_that_runs_is_the_last(monkeypatch):
+    async def scenario(pool):
+        anna = Asker()
+        first, second = question(anna, 1, sleep=0.1), question(anna, 2)
+        pool.submit(first)
+        while not any(seat.job is first for seat in pool.seats):
+            await asyncio.sleep(0.01)
+        pool.submit(second)
+        await anna.until(1)
+        return anna
+
+    anna = with_pool(monkeypatch, scenario)
+    assert anna.parts == ["[1, 0]", "[2, 0]", "[2, 1]", "[2, 2]"]
+    assert anna.ends == [(2, None)]
+
+
+def test_a_slow_step_that_waits_for_rest_is_not_for_a_question_that_was_replaced(monkeypatch):
+    async def scenario(pool):
+        anna = Asker()
+        pool.submit(question(anna, 1))
+        while len(anna.parts) < 2:
+            await asyncio.sleep(0.005)
+        pool.submit(question(anna, 2, sleep=0.4))
+        await anna.until(1)
+        return anna.parts
+
+    assert with_pool(monkeypatch, scenario, rest=0.3) == ["[1, 0]", "[1, 1]", "[2, 0]", "[2, 1]", "[2, 2]"]
+
+
 def test_a_step_over_its_limit_is_stopped_and_the_next_question_answered(monkeypatch):
     async def scenario(pool):
         anna = Asker()
@@ -123,6 +154,17 @@ def test_a_worker_that_dies_costs_one_answer(monkeypatch):
         return anna.ends
 
     assert with_pool(monkeypatch, scenario) == [(1, "the computation came to an unexpected end"), (2, None)]
+
+
+def test_a_worker_that_ends_after_its_job_costs_nothing(monkeypatch):
+    async def scenario(pool):
+        anna = Asker()
+        for seq in (1, 2, 3):
+            pool.submit(question(anna, seq, Kind.PLAN, leave=True))
+            await anna.until(seq)
+        return anna.ends
+
+    assert with_pool(monkeypatch, scenario) == [(1, None), (2, None), (3, None)]
 
 
 def test_long_steps_leave_a_worker_to_quick_ones(monkeypatch):

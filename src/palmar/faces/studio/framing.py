@@ -16,6 +16,8 @@ class Tag(Enum):
     FILE = b"f"
     DONE = b"d"
     ERROR = b"e"
+    LEAVING = b"l"
+    """After this job it ends."""
     COMPILING = b"c"
     COMPILED = b"k"
 

@@ -18,7 +18,7 @@ COMPILING_SECONDS = 900.0
 PATIENCE = 2.0
 """A job that nobody wants may go on for so long (s) where others wait."""
 PAUSE = 1.0
-"""Between a worker's end and the next one (s)."""
+"""Between the end of a worker that never was ready and the next one (s)."""
 
 
 class Watcher(Protocol):
@@ -41,7 +41,7 @@ class Seat:
         self.job: Job | None = None
         self.lane = Lane.QUICK
         self.number = 0
-        self.ready = self.compiling = False
+        self.ready = self.lived = self.compiling = False
         self.began = self.compiling_since = 0.0
         self.why = ""
         self.process: asyncio.subprocess.Process | None = None
@@ -66,8 +66,9 @@ class Seat:
                 self.ready = self.compiling = False
                 await self.process.communicate()
             self._ended(self.why or "the computation came to an unexpected end")
-            await asyncio.sleep(PAUSE if not self.why else 0.0)
-            self.why = ""
+            if not self.lived:
+                await asyncio.sleep(PAUSE)
+            self.why, self.lived = "", False
 
     def give(self, job: Job) -> None:
         """Let it work on a step."""
@@ -113,8 +114,10 @@ class Seat:
         if tag in (Tag.COMPILING, Tag.COMPILED):
             self._compiles(tag is Tag.COMPILING)
         elif tag is Tag.READY:
-            self.ready = True
+            self.ready = self.lived = True
             self.watcher.free()
+        elif tag is Tag.LEAVING:
+            self.ready = False
         elif job is not None and tag is Tag.PART and not job.stopped:
             slot, _, frame = data.partition(b"\n")
             job.client.part(job, slot.decode(), frame.decode())

@@ -22,7 +22,8 @@ from palmar.faces.studio.requests import LARGEST_MESSAGE
 SHORTEST_TOKEN = 16
 LOOPBACK = "127.0.0.1"
 MOST_CONNECTIONS = 256
-GRACE = 2
+GRACE = 5
+"""Seconds for open pages to leave at the end."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ def serve(address: Address, *, browser: bool) -> None:
     config = uvicorn.Config(
         make_app(Pool(workers_here()), door, ready),
         ws="websockets-sansio", ws_max_size=LARGEST_MESSAGE, ws_max_queue=16, ws_per_message_deflate=False,
-        http="h11", loop="asyncio", log_level="warning", access_log=False, server_header=False,
+        http="h11", loop="asyncio", log_level="warning", access_log=False, server_header=False, proxy_headers=False,
         limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=GRACE,
     )  # fmt: skip
     try:

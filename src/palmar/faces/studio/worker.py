@@ -26,6 +26,9 @@ from palmar.faces.studio.kinds import Kind
 STACK = 64 * 2**20
 """Bytes for the thread that computes, as much as it takes for deep recursion to end in an error."""
 
+LARGEST = 700.0
+"""Megabytes beyond which a worker ends, so that another one begins with little: three times what it has at first."""
+
 
 class Worker:
     """Computes in one thread and reads ahead in another, to notice that a job is not wanted any more."""
@@ -62,7 +65,9 @@ class Worker:
 
     def _ended(self, answer: Future[None]) -> None:
         """Say how it ended; a defect is told too, its trace goes to standard error, and the process goes on."""
-        error = answer.exception()
+        error, leaves = answer.exception(), peak_megabytes() > LARGEST
+        if leaves:
+            self._send(Tag.LEAVING)
         if error is None:
             self._send(Tag.DONE)
         elif isinstance(error, PalmarError):
@@ -70,6 +75,8 @@ class Worker:
         else:
             sys.excepthook(type(error), error, error.__traceback__)
             self._send(Tag.ERROR, f"a defect of palmar: {type(error).__name__}, see where the studio runs".encode())
+        if leaves:
+            os._exit(0)
 
     def _send(self, tag: Tag, data: bytes = b"") -> None:
         self.sink.write(packed(tag, data))
@@ -82,6 +89,16 @@ def _frame(head: dict[str, Any], part: Part, spent: float) -> bytes:
     about = {"part": part.name, "stage": part.stage, "guarantee": guarantee, "last": False, "ms": round(spent, 3)}
     whole = {**head, **about, "value": finite(part.value)}
     return json.dumps(whole, allow_nan=False, separators=(",", ":")).encode()
+
+
+def peak_megabytes() -> float:
+    """The most memory that this process has had at once; 0 where the system does not tell."""
+    if sys.platform == "win32":
+        return 0.0
+    import resource
+
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak / (1e6 if sys.platform == "darwin" else 1e3)
 
 
 def main() -> None:

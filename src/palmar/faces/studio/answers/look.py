@@ -64,11 +64,11 @@ def soon(asked: Question) -> Iterator[Part]:
     for model in _each(wanted):
         if not _is_slow(case, model, wanted.closure) and wanted.settled:
             yield _region(case, model, wanted.closure, None, "settled")
-    if not bends(case):
-        yield _closure(case)
     for model in _each(wanted):
         if _is_slow(case, model, wanted.closure):
             yield _region(case, model, wanted.closure, COARSE[case.support.kind] * case.hand.finger_length, "quick")
+    if not bends(case):
+        yield _closure(case)
 
 
 def at_last(asked: Question) -> Iterator[Part]:
