@@ -94,6 +94,9 @@ def docs() -> None:
 
 
 def bench(*words: str) -> None:
+    if words[:1] == ("comparison",):
+        call(PYTHON, "benchmarks/comparison.py", *words[1:])
+        return
     call(PYTHON, "-m", "pytest", "benchmarks", "-n0", "--benchmark-only", *words)
 
 

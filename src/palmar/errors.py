@@ -14,6 +14,10 @@ class InputError(PalmarError):
         self.where, self.received, self.allowed = where, received, allowed
         super().__init__(f"{where}: {allowed}" if received is None else f"{where} = {received}: {allowed}")
 
+    def __reduce__(self) -> tuple[type[InputError], tuple[str, str | None, str]]:
+        """So that it comes back whole from a worker process."""
+        return type(self), (self.where, self.received, self.allowed)
+
 
 class NotCoveredError(PalmarError):
     """The input is valid, but no model in palmar answers this question for it; says which part is not covered."""

@@ -20,6 +20,18 @@ def test_region_plan_and_toppling_answer(palmar):
     assert palmar("tips", "topple", "--tip-height", "90", "--check").status == 1
 
 
+def test_heights_of_closing_lie_between_the_table_and_toppling(palmar):
+    heights = palmar("tips", "region", "--height", "100", "--json").record["heights"]
+    assert heights["allowed_m"] == pytest.approx([0.010, 0.030 * (1.0 / 0.3 - 0.5)])
+    assert heights["topples_on_landing_from_m"] is None
+    low = palmar("tips", "region", "--height", "60", "--json").record["heights"]
+    assert low["allowed_m"] == pytest.approx([0.010, 0.050])
+    none = palmar("tips", "region", "--height", "150", "--friction", "4", "--json").record["heights"]
+    assert none["allowed_m"] is None and "topples" in none["reason"]
+    tall = palmar("tips", "region", "--height", "150", "--json").record["heights"]
+    assert 0.030 < tall["topples_on_landing_from_m"] < 0.040
+
+
 @pytest.mark.parametrize(
     "words",
     [
@@ -68,3 +80,16 @@ def test_a_planar_region_is_swept_too(palmar, tmp_path):
     )
     assert answer.status == 0 and "100 mm along the axis" in answer.out and "twice" in answer.out
     assert palmar("region", "testbed_table", "--sweep", "300", "--out", tmp_path / "x.svg").status == 2
+
+
+def test_what_only_the_palm_feels_and_a_tilted_wrist_leave_is_in_the_record(palmar, tmp_path):
+    words = ("region", "testbed_table", "--sweep", "300,50", "--out", tmp_path / "x.stl", "--json")
+    whole, palm = palmar(*words).record, palmar(*words, "--palm-only").record
+    assert palm["swept"]["area_m2"] < 0.5 * whole["swept"]["area_m2"] == pytest.approx(0.5 * whole["area_m2"])
+    xs = [x for polygon in palm["swept"]["centre"] for x, _ in polygon[0]]
+    assert (min(xs), max(xs)) == pytest.approx((-0.06, 0.06))
+    assert palm["swept"]["volume_m3"] == pytest.approx(0.25 * palm["swept"]["area_m2"], rel=1e-3)
+    assert whole["swept"]["twice_as_long"]
+    left = [each["estimated_area_m2"] for each in whole["swept"]["tilt"]]
+    assert left == sorted(left, reverse=True) and left[0] == pytest.approx(whole["area_m2"])
+    assert palmar("region", "testbed_table", "--palm-only").status == 2

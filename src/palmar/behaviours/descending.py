@@ -48,7 +48,7 @@ def _solved(
     if closing is not None or most < 2:
         return closing
     best: Descent | None = None
-    for stand in _stands(belief, openings):
+    for stand in _stands(belief, openings, reach.turns):
         found = _descent(reach, belief, stand, most, openings)
         if found is not None and (best is None or least_margin(found) > least_margin(best)):
             best = found
@@ -63,12 +63,12 @@ def least_margin(plan: Descending) -> float:
     return min((each.margin if isinstance(each, Closing) else 0.0 for each in moves), default=0.0)
 
 
-def _stands(belief: BaseGeometry, openings: tuple[float, ...]) -> Iterator[Stand]:
-    """Places tried: the middle of the belief and of the circle around it, at each opening and turn."""
+def _stands(belief: BaseGeometry, openings: tuple[float, ...], most: int) -> Iterator[Stand]:
+    """Places tried: the middle of the belief and of the circle around it, at each opening and at ``most`` turns or fewer."""
     circle, radius = shapely.minimum_bounding_circle(belief).centroid, float(shapely.minimum_bounding_radius(belief))
     middles = [(belief.centroid.x, belief.centroid.y), (circle.x, circle.y)]
     apart = hypot(middles[0][0] - circle.x, middles[0][1] - circle.y)
-    turns = 1 if belief.area > ROUND * pi * radius**2 else WAYS
+    turns = 1 if belief.area > ROUND * pi * radius**2 else min(WAYS, most)
     for x, y in middles[: 1 if apart < NEAR * radius else 2]:
         for k in range(turns):
             for opening in openings:

@@ -119,8 +119,10 @@ class Reach:
     """A hand of three tips over a cylinder of ``radius`` (m), with the regions of closing, and what is assumed of touches.
 
     ``displacement`` (m): how far a touch may shift the cylinder; ``pose_error`` (m): how far the hand may be from where it
-    should be. ``target``: the region of closing from the open circle; ``standing``: with what borders it at the tips
-    (``regions.three_tips.beside_tips``), for a hand that already stands there.
+    should be; ``unfelt`` (m): by how much less than rho a tip may be from the axis and not be felt, for it hangs beside the
+    rim or slides off it. ``target``: the region of closing from the open circle; ``standing``: with what borders it at the
+    tips (``regions.three_tips.beside_tips``), for a hand that already stands there. ``turns``: ways tried for the hand to
+    stand, within 120 degrees.
     """
 
     tips: ThreeTips
@@ -129,6 +131,8 @@ class Reach:
     standing: MultiPolygon
     displacement: float = 0.0
     pose_error: float = 0.0
+    unfelt: float = 0.0
+    turns: int = TURNS
 
     @property
     def rho(self) -> float:
@@ -137,7 +141,7 @@ class Reach:
 
     def outcomes(self, belief: BaseGeometry, stand: Stand) -> Iterator[tuple[Felt, BaseGeometry]]:
         """What may be felt there, and the belief after it: an outer set, touches' polygons being drawn on the safe side."""
-        sure = [_disk(at, self.rho - self.pose_error, inside=True) for at in stand.tips]
+        sure = [_disk(at, self.rho - self.pose_error - self.unfelt, inside=True) for at in stand.tips]
         may = [_disk(at, self.rho + self.pose_error, inside=False) for at in stand.tips]
         for number in (1, 2, 3):
             for touched in combinations(range(3), number):
@@ -145,13 +149,20 @@ class Reach:
                 for k in range(3):
                     left = left.intersection(may[k]) if k in touched else left.difference(sure[k])
                 yield from self._felt(tuple(f"tip {k + 1}" for k in touched), left, self.displacement)
-        clear = belief.difference(shapely.union_all(sure))
+        clear = self._passed(belief.difference(shapely.union_all(sure)), stand)
         if self.tips.palm_radius is None:
             yield from self._felt(NOTHING, clear, 0.0)
             return
         palm, middle = self.radius + self.tips.palm_radius, (stand.x, stand.y)
         yield from self._felt(PALM, clear & _disk(middle, palm + self.pose_error, inside=False), self.displacement)
         yield from self._felt(NOTHING, clear - _disk(middle, palm - self.pose_error, inside=True), 0.0)
+
+    def _passed(self, clear: BaseGeometry, stand: Stand) -> BaseGeometry:
+        """After tips that felt nothing have passed the top: those that slid off the rim have pushed the cylinder aside."""
+        if self.unfelt == 0.0:
+            return clear
+        beside = [_disk(at, self.rho - self.pose_error, inside=True) for at in stand.tips]
+        return grown_by(clear, self.unfelt).difference(shapely.union_all(beside))
 
     def _felt(self, felt: Felt, left: BaseGeometry, moved: float) -> Iterator[tuple[Felt, BaseGeometry]]:
         belief = areal(left)
@@ -170,8 +181,8 @@ class Reach:
         if seen.area > self.target.region.area:
             return None
         best: Closing | None = None
-        for k in range(TURNS):
-            turn = 2.0 * pi / 3.0 * k / TURNS
+        for k in range(self.turns):
+            turn = 2.0 * pi / 3.0 * k / self.turns
             for each in self._places(seen, turn):
                 margin = self._at(each, seen)
                 if margin is not None and (best is None or margin > best.margin):

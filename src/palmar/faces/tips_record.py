@@ -8,7 +8,7 @@ from typing import Any
 
 from palmar.behaviours.descent import Closing, Descending, Descent, Stand, descents, is_certain
 from palmar.faces.records import region_record
-from palmar.mechanics.pushing.cylinder_toppling import Loads, PushHeights, RimBands
+from palmar.mechanics.pushing.cylinder_toppling import Loads, PushHeights, RimBands, push_heights, rim_bands
 from palmar.mechanics.pushing.three_tips import CAGE, held_radii
 from palmar.regions.region import Region
 from palmar.studies.three_tips import Task, Trial
@@ -125,6 +125,38 @@ def _told(plan: Descending, indent: str) -> Iterator[str]:
 def _at(stand: Stand) -> str:
     x, y, turn = 1e3 * stand.x + 0.0, 1e3 * stand.y + 0.0, degrees(stand.turn)
     return f"({x:.1f}, {y:.1f}) mm, turned {turn:.0f} deg, circle {1e3 * stand.opening:.1f} mm"
+
+
+def closing_heights(task: Task, height: float, table_friction: float) -> Record:
+    """At which heights of their centres (m) the tips may close on a cylinder of a height (m): `palmar tips region --height`.
+
+    From where they clear the table to where the cylinder still slides for certain, and the tips meet its side.
+    """
+    tip = task.tips.tip_radius
+    pushes = push_heights(task.radius, table_friction, task.friction)
+    bands = rim_bands(task.radius, height, tip, (task.friction, table_friction))
+    low, high = tip, min(pushes.surely, height - tip)
+    reason = None
+    if low > high:
+        what = "is lower than a tip" if height - tip < low else "topples at every height that clears the table"
+        reason = f"the cylinder {what}"
+    return {
+        "allowed_m": None if reason else [low, high],
+        "reason": reason,
+        "slides_up_to_m": _known(pushes.surely),
+        "topples_on_landing_from_m": _known(bands.topples),
+    }
+
+
+def heights_text(heights: Record) -> str:
+    """The lines that `palmar tips region --height` adds."""
+    if heights["allowed_m"] is None:
+        return f"heights of the tips         none: {heights['reason']}"
+    low, high = heights["allowed_m"]
+    rim = heights["topples_on_landing_from_m"]
+    said = f"heights of the tips         {1e3 * low:.4g} to {1e3 * high:.4g} mm: there it slides and does not topple"
+    landing = "never topples it" if rim is None else f"topples it from {1e3 * rim:.4g} mm from the axis on"
+    return f"{said}\na tip landing on its rim    {landing}"
 
 
 def topple_record(heights: PushHeights, bands: RimBands, push: Loads) -> Record:

@@ -50,11 +50,11 @@ def parse_case(text: str, name: str = "case") -> Case:
         raw = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(name, None, f"is not valid TOML: {str(error) or 'nested too deep'}") from None
-    return read_tables(raw, name)
+    return build_case(raw, name)
 
 
-def read_tables(raw: dict[str, Any], name: str = "case") -> Case:
-    """The case in the tables of a case file: sections, their keys, and values in the file's units; as ``parse_case``."""
+def build_case(raw: dict[str, Any], name: str = "case") -> Case:
+    """The case in tables as TOML has them; ``name`` stands for the file in error messages."""
     for section in raw:
         _known(section, _SECTIONS, name, "section")
     ranges: list[Range] = []
@@ -92,7 +92,7 @@ def dump_tables(tables: dict[str, dict[str, Any]]) -> str:
 
 
 def case_tables(case: Case) -> dict[str, dict[str, Any]]:
-    """The tables that ``read_tables`` reads back as the same case; what is absent is left out."""
+    """The tables that ``build_case`` reads back as the same case; what is absent is left out."""
     ranges = {each.place: each for each in case.ranges}
     tables: dict[str, dict[str, Any]] = {}
     for section in _SECTIONS:

@@ -4,14 +4,37 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Protocol
+from math import pi
+from typing import Annotated, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import PlainSerializer, PlainValidator
 
 from palmar.models.salisbury_hand import TIP_PREHENSION, Curl
 
 Floats = NDArray[np.float64]
+RIGID, FARTHEST = 1e-6, 10.0
+"""How far a rotation may be from one; how far (m) from the arm's base anything may be."""
+
+
+def _rigid(value: Any) -> Floats:
+    """A pose (4, 4) from nested lists; raises ValueError unless it is a finite rigid motion within ``FARTHEST``."""
+    try:
+        pose: Floats = np.array(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError("a pose is 4 rows of 4 numbers") from None
+    if pose.shape != (4, 4) or not np.isfinite(pose).all():
+        raise ValueError("a pose is 4 rows of 4 finite numbers")
+    turn = pose[:3, :3]
+    square = np.abs(turn @ turn.T - np.eye(3)).max() < RIGID and np.linalg.det(turn) > 0.0
+    if not square or np.abs(pose[3] - (0.0, 0.0, 0.0, 1.0)).max() > 0.0 or np.abs(pose[:3, 3]).max() > FARTHEST:
+        raise ValueError("a pose is a rotation and a place within reach of the cell")
+    return pose
+
+
+Pose = Annotated[Floats, PlainValidator(_rigid), PlainSerializer(lambda pose: pose.tolist())]
+"""Of the hand frame (4, 4); checked where it comes off a wire."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +54,15 @@ class Eye(Protocol):
     def look(self, now_s: float) -> Sighting | None:
         """The latest sighting that has arrived by now (s), the same one again until a newer comes; None before any."""
         ...
+
+
+class EyeKind(Enum):
+    """How the cell sees in lock-step trials."""
+
+    CAMERA = "camera"
+    """Frames are rendered and the cylinder is found in them."""
+    POSE = "pose"
+    """Sightings are made of the true pose, with noise."""
 
 
 class HandMode(Enum):
@@ -53,11 +85,16 @@ class Owner(Enum):
     BEHAVIOUR = "behaviour"
 
 
+NEVER = pi
+"""Curl (rad) that no finger reaches."""
+
+
 @dataclass(frozen=True)
 class HandOrder:
     """To the reflex layer: mode, the shape of the curls, target curls (rad), rate (rad/s), grip torque (N m) of joint 2.
 
     ``close_on_palm``: the palm reflex is armed; any palm bit closes the hand at once, without asking the behaviour.
+    ``soft_from`` (rad): from this curl on a finger may meet the object and closes no faster than ``soft_rate`` (rad/s).
     """
 
     mode: HandMode
@@ -66,6 +103,8 @@ class HandOrder:
     rate: float = 1.5
     grip: float = 0.6
     close_on_palm: bool = False
+    soft_from: float = NEVER
+    soft_rate: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -93,7 +132,7 @@ class CellSeen:
     """
 
     time: float
-    palm_pose: Floats
+    palm_pose: Pose
     curls: tuple[float, float, float]
     touched: tuple[bool, bool, bool]
     palm: tuple[bool, bool]
@@ -116,13 +155,14 @@ class CellEnd(Enum):
     SENSOR_FAULT = "sensor fault"
     STOPPED = "stopped"
     OUT_OF_REACH = "out of reach"
+    WOULD_TOPPLE = "would topple"
 
 
 @dataclass(frozen=True)
 class CellOrder:
     """From a behaviour: the arm's next set-point for the hand frame (4, 4), the hand's order, what for; or its end."""
 
-    palm_pose: Floats
+    palm_pose: Pose
     hand: HandOrder
     why: str
     end: CellEnd | None = None

@@ -46,7 +46,7 @@ TABLE_TOP = -0.30
 """Height (m) of the table in the arm's base frame, whose origin is the shoulder."""
 STANDING = Cylinder(radius=0.030, height=0.130, mass=0.30)
 TALL = Cylinder(radius=0.030, height=0.280, mass=0.60)
-HANGING = Cylinder(radius=0.025, height=0.280, mass=0.30)
+HANGING = Cylinder(radius=0.030, height=0.280, mass=0.30)
 TABLE_TASK = CellTask(TaskKind.TABLE, STANDING, (0.48, 0.0, TABLE_TOP + 0.5 * STANDING.height))
 ALIGN_TASK = CellTask(TaskKind.ALIGN, TALL, (0.76, 0.0, TABLE_TOP + 0.5 * TALL.height))
 FLOATING_TASK = CellTask(TaskKind.FLOATING, HANGING, (0.72, 0.0, 0.10))

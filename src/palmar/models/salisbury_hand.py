@@ -23,10 +23,11 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Curl:
-    """Moves a finger in its plane with one motion c (rad): joints (0, c, bend + ratio c)."""
+    """Moves a finger in its plane with one motion c (rad): joints (0, c, bend + ratio c); open at ``opened``."""
 
     bend: float
     ratio: float
+    opened: float
 
     def joints(self, curls: Floats) -> Floats:
         """Joint angles (…, 3) of curls (…) in rad."""
@@ -35,10 +36,10 @@ class Curl:
         return angles
 
 
-TIP_PREHENSION = Curl(bend=0.60, ratio=0.30)
+TIP_PREHENSION = Curl(bend=0.60, ratio=0.30, opened=-0.40)
 """Tips ahead of the links, moving inward along almost a straight line."""
-CYLINDRIC = Curl(bend=0.45, ratio=1.60)
-"""The distal link folds over faster than the proximal one, around an object at the palm."""
+CYLINDRIC = Curl(bend=1.90, ratio=1.00, opened=-0.70)
+"""Fingers like hooks, which press a cylinder of 60 to 70 mm diameter on the palm from both sides and do not meet over it."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,6 @@ class SalisburyHand:
     tension_most: float = 200.0
     joint_inertias: tuple[float, float, float] = (2e-3, 2e-3, 1e-3)
     joint_limits: tuple[tuple[float, float], ...] = ((-0.5, 0.5), (-0.8, 1.4), (-0.3, 2.2))
-    open_curl: float = -0.40
 
     def __post_init__(self) -> None:
         lengths = (self.base_circle, *self.links, self.link_radius, self.tip_radius, self.palm_radius, self.mount)

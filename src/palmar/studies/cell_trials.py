@@ -14,11 +14,14 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
-from palmar.errors import InputError
+from palmar.errors import InputError, NotCoveredError
+from palmar.models.cell_messages import EyeKind
 from palmar.models.cell_task import ALIGN_TASK, FLOATING_TASK, TABLE_TASK, CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.faults import Fault, FaultKind
-from palmar.worlds.cell.pose_camera import CameraSettings
+from palmar.worlds.cell.timed_camera import CameraSettings, Sight
+from palmar.worlds.cell.timing import Timing
+from palmar.worlds.mujoco.cell.cell import Cell
 from palmar.worlds.mujoco.cell.settings import CellSettings
 from palmar.worlds.mujoco.cell.trial import TrialResult, run_trial
 
@@ -32,7 +35,8 @@ FAULT_WITHIN = {TaskKind.TABLE: 7.0, TaskKind.FLOATING: 5.0, TaskKind.ALIGN: 8.0
 @dataclass(frozen=True)
 class Trials:
     """``error``: radius (m) of the disk of vision's calibration error, which the behaviour knows; ``exact``: it errs by
-    just so much, in any direction; ``tension_noise`` (N), ``latency`` (s) of vision, ``turn`` (rad) of the wrist.
+    just so much, in any direction; ``tension_noise`` (N), ``latency`` (s) of vision, ``turn`` (rad) of the wrist,
+    ``eye``: a camera that is rendered, or one made of the true pose.
     """
 
     kind: TaskKind
@@ -44,6 +48,7 @@ class Trials:
     latency: float = 0.040
     turn: float = 0.0
     fault: FaultKind = FaultKind.NONE
+    eye: EyeKind = EyeKind.POSE
 
     def __post_init__(self) -> None:
         if self.number < 1 or self.seed < 0:
@@ -78,10 +83,11 @@ class Trials:
 
 @dataclass(frozen=True)
 class CellReport:
-    """What came of all trials, in order."""
+    """What came of all trials, in order; ``timings``: of those in real time, empty in lock-step."""
 
     trials: Trials
     results: tuple[TrialResult, ...]
+    timings: tuple[Timing | None, ...] = ()
 
     @property
     def success(self) -> int:
@@ -105,8 +111,13 @@ class CellReport:
 
     @property
     def real_time_factor(self) -> float:
-        """Simulated seconds per second of one process."""
+        """Simulated seconds per second of one process; in real time, of the run itself without its start."""
         return sum(each.seconds for each in self.results) / max(sum(each.wall for each in self.results), 1e-9)
+
+    @property
+    def kept(self) -> tuple[Timing, ...]:
+        """Timings of those trials in real time that came to an end of their own."""
+        return tuple(each for each in self.timings if each is not None)
 
 
 def run_trials(
@@ -123,7 +134,26 @@ def run_trials(
     return CellReport(trials, tuple(results))
 
 
-def run_one(asked: tuple[Trials, int]) -> TrialResult:
-    """Trial number k."""
+def run_one(asked: tuple[Trials, int], watch: Callable[[Cell], None] | None = None) -> TrialResult:
+    """Trial number k; ``watch`` is called at every request of the arm. Raises NotCoveredError as ``rendered`` does."""
     trials, k = asked
-    return run_trial(SalisburyHand(), trials.task, trials.settings(k), trials.error)
+    hand, settings = SalisburyHand(), trials.settings(k)
+    sight = rendered(hand, trials.task, settings) if trials.eye is EyeKind.CAMERA else None
+    return run_trial(hand, trials.task, settings, trials.error, watch, sight=sight)
+
+
+def rendered(hand: SalisburyHand, task: CellTask, settings: CellSettings) -> Sight:
+    """A rendered camera; raises NotCoveredError where nothing can be rendered, or OpenCV is missing."""
+    from palmar.worlds.mujoco.cell.rendered_camera import RenderedCamera  # its OpenCV is needed by nothing else
+
+    return RenderedCamera(hand, task, settings).sight
+
+
+def eye_here(wanted: EyeKind) -> tuple[EyeKind, str | None]:
+    """What this machine can see with instead of what is wanted, and why; None where it can."""
+    if wanted is EyeKind.CAMERA:
+        try:
+            rendered(SalisburyHand(), TABLE_TASK, CellSettings())
+        except NotCoveredError as error:
+            return EyeKind.POSE, f"simulated-pose camera instead of the rendered one: {error}"
+    return wanted, None

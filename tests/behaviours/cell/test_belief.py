@@ -1,45 +1,96 @@
-"""What fingers feel shrinks the set of possible places, never past the true one."""
+"""What fingers feel cuts the set of possible places, never past the true one; the hand closes only where that is certain."""
 
 import numpy as np
 import pytest
+import shapely
 
-from palmar.behaviours.cell.belief import after_touch, around
-from palmar.behaviours.cell.table_pick import circumcentre, through
+from palmar.behaviours.cell.belief import Reasoning, around, standing_turn
+from palmar.behaviours.descent import Closing, Descent, Stand
+from palmar.mechanics.pushing.three_tips import drift, ends
+from palmar.models.cell_task import STANDING
+from palmar.models.outcome import Outcome
+from palmar.models.salisbury_hand import SalisburyHand
 
-TIPS = 0.08 * np.array([[np.cos(a), np.sin(a)] for a in (0.5 * np.pi, 7 * np.pi / 6, -np.pi / 6)])
-RADIUS, TIP = 0.03, 0.009
-
-
-def test_the_true_place_stays_in_the_set():
-    random = np.random.default_rng(2)
-    shrunk = 0
-    for _ in range(300):
-        truth = 0.05 * np.sqrt(random.random()) * np.array([np.cos(a := 6.28 * random.random()), np.sin(a)])
-        touched = tuple(bool(each) for each in np.linalg.norm(TIPS - truth, axis=1) < RADIUS + TIP)
-        if not any(touched):
-            continue
-        before = around((0.0, 0.0), 0.05)
-        left = after_touch(before, TIPS, touched, RADIUS, TIP)
-        shrunk += 1
-        assert len(left.places) < len(before.places)
-        assert np.linalg.norm(left.places - truth, axis=1).min() < 0.05 / 30.0
-        assert np.linalg.norm(left.middle - truth) <= left.radius + 0.05 / 30.0
-    assert shrunk > 30
+REASONING = Reasoning(SalisburyHand(), STANDING, feel=True)
+REACH = REASONING.reach
+CAUGHT = [each.code for each in Outcome if each.caught]
 
 
-def test_the_middle_is_that_of_the_least_enclosing_circle():
-    half = around((0.1, 0.2), 0.05)
-    assert half.middle == pytest.approx([0.1, 0.2], abs=2e-3)
-    assert half.radius == pytest.approx(0.05, rel=0.03)
+def caught(stand: Stand, truth: np.ndarray) -> bool:
+    """By the kernel, not by the region."""
+    c, s = np.cos(stand.turn), np.sin(stand.turn)
+    seen = (truth - (stand.x, stand.y)) @ np.array([[c, -s], [s, c]])
+    radii = (STANDING.radius, REACH.tips.tip_radius, REACH.tips.open_radius, REACH.tips.closed_radius)
+    return int(ends(radii, 0.0, drift(None, 0.0), seen[None])[0]) in CAUGHT
+
+
+def touching(stand: Stand, truth: np.ndarray, random: np.random.Generator) -> tuple[bool, ...]:
+    """Tips of the plan that land on the top; one beside the rim is felt or not, as it comes."""
+    away = np.linalg.norm(np.array(stand.tips) - truth, axis=1)
+    felt = (away < STANDING.radius) | ((away < REACH.rho) & (random.random(3) < 0.5))
+    return tuple(bool(each) for each in felt)
+
+
+@pytest.mark.parametrize(("error", "most"), [(0.0315, 2), (0.0415, 3)])
+def test_every_cylinder_ends_in_a_closing_that_catches_it(error, most):
+    random, descents = np.random.default_rng(2), []
+    for _ in range(60):
+        way, share = 2.0 * np.pi * random.random(), np.sqrt(random.random())
+        truth = error * share * np.array([np.cos(way), np.sin(way)])
+        move, count = REASONING.first(error, most), 1
+        while isinstance(move, Descent):
+            touched, number = touching(move.stand, truth, random), standing_turn(move.stand.turn)[1]
+            fingers = tuple(touched[(k - number) % 3] for k in range(3))
+            if not any(touched):
+                away = truth - np.array(move.stand.tips)
+                near = np.linalg.norm(away, axis=1).argmin()
+                beside = max(REACH.rho - np.linalg.norm(away[near]), 0.0)
+                truth = truth + beside * away[near] / np.linalg.norm(away[near])
+            move = REASONING.after_touch(move, fingers, error)
+            count += not (isinstance(move, Closing) and move.there)
+        assert isinstance(move, Closing)
+        assert move.belief.buffer(1e-6).contains(shapely.Point(truth))
+        assert caught(move.stand, truth)
+        descents.append(count)
+    assert max(descents) <= most and max(descents) > 1
+
+
+def test_a_hand_stands_where_the_plan_has_its_tips():
+    for turn in (0.3, -1.9, 2.5, 4.0):
+        smallest, number = standing_turn(turn)
+        assert abs(smallest) <= np.pi / 3.0
+        planned = np.array(Stand(0.01, 0.02, turn, 0.05).tips)
+        fingers = np.array(Stand(0.01, 0.02, smallest, 0.05).tips)
+        assert fingers[(np.arange(3) + number) % 3] == pytest.approx(planned)
 
 
 def test_a_touch_that_contradicts_the_set_starts_it_anew_at_the_finger():
-    left = after_touch(around((0.0, 0.0), 0.005), TIPS, (True, False, False), RADIUS, TIP)
-    assert np.linalg.norm(left.places - TIPS[0], axis=1).max() <= RADIUS + TIP + 0.004
+    move = REASONING.first(0.005, 4)
+    assert isinstance(move, Closing)
+    again = REASONING.after_touch(move, (True, False, False), 0.005)
+    assert np.linalg.norm(again.belief.centroid.coords[0] - np.array(move.stand.tips[0])) < 1e-3
+    assert again.belief.area == pytest.approx(np.pi * 0.0415**2, rel=0.01)
 
 
-def test_circles_through_points():
-    centre = np.array([0.01, -0.02])
-    points = centre + 0.039 * np.array([[1.0, 0.0], [0.0, 1.0], [-0.6, -0.8]])
-    assert circumcentre(points) == pytest.approx(centre)
-    assert through(points[0], points[1], 0.039, np.zeros(2)) == pytest.approx(centre)
+def test_what_closing_would_have_caught_is_left_out():
+    move = REASONING.first(0.02, 4)
+    left = REASONING.after_nothing(move, around((0.02, 0.0), 0.03)).belief
+    assert not left.buffer(-1e-6).contains(shapely.Point(0.0, 0.0))
+    assert not left.is_empty and left.area < np.pi * 0.03**2
+
+
+def test_without_feeling_only_a_certain_closing_is_a_move():
+    blind = Reasoning(SalisburyHand(), STANDING, feel=False)
+    assert isinstance(blind.first(0.021, 4), Closing)
+    assert blind.first(0.025, 4) is None
+
+
+def test_a_tip_that_slides_off_the_rim_unfelt_has_pushed_the_cylinder_aside():
+    stand = Stand(0.0, 0.0, 0.0, 0.025)
+    tip = np.array(stand.tips[0])
+    outward = tip / np.linalg.norm(tip)
+    before = around(tuple(tip + (REACH.rho - 0.004) * outward), 0.003)
+    after = dict(REACH.outcomes(before, stand))[("nothing",)]
+    assert after.contains(shapely.Point(tip + (REACH.rho + 1e-4) * outward))
+    assert not before.contains(shapely.Point(tip + (REACH.rho + 1e-4) * outward))
+    assert after.distance(shapely.Point(tip)) == pytest.approx(REACH.rho - REACH.pose_error, abs=1e-4)

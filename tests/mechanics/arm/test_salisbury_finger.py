@@ -5,7 +5,14 @@ import pytest
 from scipy.optimize import linprog
 
 from palmar.errors import InputError
-from palmar.mechanics.arm.salisbury_finger import internal, joint_torques, tensions, tip_in_hand
+from palmar.mechanics.arm.salisbury_finger import (
+    chain_in_hand,
+    internal,
+    joint_torques,
+    meeting_curl,
+    tensions,
+    tip_in_hand,
+)
 from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, SalisburyHand
 
 HAND = SalisburyHand()
@@ -43,6 +50,38 @@ def test_curls_keep_the_finger_in_its_plane():
         for finger, angle in enumerate(HAND.bases):
             tips = tip_in_hand(HAND, finger, curl.joints(np.linspace(-0.4, 1.0, 15)))
             assert np.abs(tips[:, 0] * np.sin(angle) - tips[:, 1] * np.cos(angle)).max() < 1e-15
+
+
+def _gap(points, radius):
+    """Least distance (m) of the links' surfaces, sampled, from a cylinder on the palm: points (3, 3, 3)."""
+    share = np.linspace(0.0, 1.0, 400)[:, None]
+    links = [
+        (each[i] + share * (each[i + 1] - each[i]), size) for each in points for i, size in ((0, 0.008), (1, 0.009))
+    ]
+    return min(
+        np.hypot(link[:, 1] - HAND.grasp_line, link[:, 2] - radius).min() - size - radius for link, size in links
+    )
+
+
+@pytest.mark.parametrize("radius", [0.025, 0.030, 0.035])
+@pytest.mark.parametrize("clearance", [0.0, 0.005])
+def test_fingers_are_clear_of_a_cylinder_on_the_palm_up_to_the_meeting_curl(radius, clearance):
+    met = meeting_curl(HAND, CYLINDRIC, radius, clearance)
+
+    def gap(curl):
+        return _gap([chain_in_hand(HAND, k, CYLINDRIC.joints(np.array(curl))) for k in range(3)], radius)
+
+    assert gap(met) > clearance - 1e-6
+    assert gap(met + 0.011) < clearance
+    assert all(gap(curl) > clearance - 1e-6 for curl in np.linspace(CYLINDRIC.opened, met, 25))
+
+
+def test_fingers_that_hold_a_cylinder_on_the_palm_do_not_meet():
+    """Tips farther apart than their diameter, up to 0.1 rad beyond the touch."""
+    for radius in (0.030, 0.035):
+        for curl in meeting_curl(HAND, CYLINDRIC, radius, 0.0) + np.array([0.0, 0.05, 0.1]):
+            tips = [tip_in_hand(HAND, k, CYLINDRIC.joints(np.array(curl))) for k in range(3)]
+            assert min(np.linalg.norm(tips[i] - tips[i - 1]) for i in range(3)) > 2.0 * HAND.tip_radius + 0.005
 
 
 def test_bad_numbers_are_refused():

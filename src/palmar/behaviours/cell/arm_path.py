@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import sqrt
+from math import cos, sin, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,8 @@ ACCELERATION = 0.8
 """Of the set-points (m/s^2)."""
 THERE = 2e-4
 """How near (m) a target counts as reached."""
+TURN_RATE = 1.0
+"""About the hand's own axis (rad/s)."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,15 @@ def toward(path: ArmPath, goal: Floats, fastest: float) -> ArmPath:
     speed = min(fastest, path.speed + gain, sqrt(2.0 * ACCELERATION * distance))
     step = min(speed * PERIOD, distance)
     return ArmPath(_moved(path.pose, path.place + left / distance * step), step / PERIOD if step < distance else 0.0)
+
+
+def turned(path: ArmPath, left: float) -> tuple[ArmPath, float]:
+    """The same place with the hand turned about its own z axis, by at most one step toward ``left`` (rad); how far."""
+    step = max(-TURN_RATE * PERIOD, min(TURN_RATE * PERIOD, left))
+    cosine, sine = cos(step), sin(step)
+    pose = path.pose.copy()
+    pose[:3, :3] = pose[:3, :3] @ np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+    return ArmPath(pose, path.speed), step
 
 
 def halt(path: ArmPath) -> ArmPath:

@@ -1,70 +1,144 @@
-"""Where the axis of a standing cylinder may be: a set of places on a grid, shrunk by what the hand feels.
+"""Where the axis of a standing cylinder may be, as a polygon, and the next move that this set allows.
 
-A finger that comes down on the cylinder's top says that the axis is within radius + tip radius of the tip; one that comes
-down beside it says that it is not. The next approach goes to the middle of what is left (of its least enclosing circle).
+The same reasoning as in ``behaviours.descent``: which tips touch tells in which disks about them the axis is and in which it
+is not, and the hand closes only from where the region of three closing tips holds the whole set. Frame of all of it: the
+x and y of the hand as it started, the origin where the axis was first seen.
+
+The tips close without friction here: their region is then the smallest, whatever the friction.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import lru_cache
+from math import ceil, pi
 
-import numpy as np
-from numpy.typing import NDArray
+import shapely
+from shapely import Point
+from shapely.geometry.base import BaseGeometry
 
-Floats = NDArray[np.float64]
-ACROSS = 61
-"""Grid points across the set at the start."""
-UNFELT = 0.2
-"""Share of that distance by which an untouched tip may be nearer: one on the very rim slides off unfelt."""
-SLACK = 0.003
-"""How far (m) a touch may be off what the geometry says: the arm's error and what the touch moved."""
+from palmar.behaviours.cell.tip_circle import open_circle
+from palmar.behaviours.descending import fewest_descents
+from palmar.behaviours.descent import ARC, NOTHING, Branch, Closing, Descent, Reach, Stand, Stuck, grown_by
+from palmar.behaviours.placing import target
+from palmar.geometry.planar_set import areal
+from palmar.models.cell_task import Cylinder
+from palmar.models.salisbury_hand import SalisburyHand
+from palmar.models.three_tips import ThreeTips
+from palmar.regions.three_tips import beside_tips, tips_region
+
+DISPLACED, ARM_OFF = 0.002, 0.0005
+"""How far (m) a touch may shift the cylinder; how far the hand may be from where it should be."""
+FEELING = (0.6, 0.8)
+"""Circles of the tips as they come down to feel, over R + r_t."""
+TURNS = 12
+"""Ways tried for the hand to stand, within 120 degrees."""
+GRAIN = 5e-4
+"""Radii (m) of first sets are rounded up to multiples of this, so that plans are found once."""
+MOST = 3
+"""Approaches up to which a certain plan is looked for."""
+Move = Closing | Descent
+
+
+@lru_cache
+def reach_of(hand: SalisburyHand, cylinder: Cylinder) -> Reach:
+    """The hand's tips over a cylinder; a tip beside the rim, by up to its radius, is not felt."""
+    opened, tip = open_circle(hand), hand.tip_radius
+    tips = ThreeTips(tip_radius=tip, open_radius=opened, closed_radius=2.0 * tip / 3.0**0.5 * (1.0 + 1e-9))
+    region = tips_region(tips, cylinder.radius, 0.0).centre
+    standing = areal(region | beside_tips(tips, cylinder.radius, 0.0))
+    return Reach(tips, cylinder.radius, target(region), standing, DISPLACED, ARM_OFF, tip, TURNS)
+
+
+def around(place: tuple[float, float], error: float) -> BaseGeometry:
+    """A polygon around all places within ``error`` (m) of one."""
+    return grown_by(Point(place), error)
 
 
 @dataclass(frozen=True)
-class Belief:
-    """Possible places (n, 2) of the axis (m)."""
+class Reasoning:
+    """What one hand's touches tell of where one cylinder stands, and which move then surely ends in a grasp.
 
-    places: Floats
+    ``feel``: whether its tips may come down on the cylinder's top; if not, only closing is left, and there is no move (None)
+    where that is not certain.
+    """
 
-    @cached_property
-    def middle(self) -> Floats:
-        """Centre of the least enclosing circle (m), by Badoiu and Clarkson's iteration: off by less than 2 %."""
-        centre = self.places.mean(axis=0)
-        for k in range(1, 60):
-            away = self.places[np.linalg.norm(self.places - centre, axis=1).argmax()]
-            centre = centre + (away - centre) / (k + 1)
-        middle: Floats = centre
-        return middle
+    hand: SalisburyHand
+    cylinder: Cylinder
+    feel: bool
 
     @property
-    def radius(self) -> float:
-        """How far (m) the axis may be from the middle."""
-        return float(np.linalg.norm(self.places - self.middle, axis=1).max())
+    def reach(self) -> Reach:
+        """The hand over the cylinder."""
+        return reach_of(self.hand, self.cylinder)
+
+    def first(self, error: float, most: int) -> Move | None:
+        """For an axis within ``error`` (m) of the origin: of the plan that is certain with up to so many approaches."""
+        return _first(self, GRAIN * ceil(error / GRAIN - 1e-9), min(most, MOST))
+
+    def next(self, belief: BaseGeometry) -> Move | None:
+        """Close where that is certain; else come down over the middle to learn more. Found within a step's time."""
+        closing = self.reach.closing(belief)
+        return closing if closing is not None or not self.feel else _look_closer(self.reach, belief)
+
+    def after_touch(self, move: Move, fingers: tuple[bool, ...], error: float) -> Move | None:
+        """The hand has come down as ``move`` says, and these fingers have touched, or none has.
+
+        What contradicts the belief counts alone: the axis is then near the fingers that touched, or, without any, within
+        ``error`` (m) of the origin.
+        """
+        number = standing_turn(move.stand.turn)[1]
+        touched = tuple(fingers[(j + number) % 3] for j in range(3))
+        felt = tuple(f"tip {j + 1}" for j, each in enumerate(touched) if each) or NOTHING
+        for branch in move.branches if isinstance(move, Descent) else ():
+            if branch.felt == felt:
+                then = branch.then
+                return self.next(then.belief) if isinstance(then, Stuck) else then
+        return self.next(only_felt(self.reach, move.stand, touched) if any(touched) else around((0.0, 0.0), error))
+
+    def after_nothing(self, move: Move, belief: BaseGeometry) -> Move | None:
+        """The hand has closed on nothing where ``move`` says, the axis being anywhere in ``belief``."""
+        return self.next(not_caught(self.reach, belief, move.stand))
 
 
-def around(place: tuple[float, float], error: float) -> Belief:
-    """All places within ``error`` (m) of one."""
-    line = np.linspace(-error, error, ACROSS)
-    grid = np.stack(np.meshgrid(line, line), axis=-1).reshape(-1, 2)
-    return Belief(np.asarray(place) + grid[np.hypot(*grid.T) <= error + 1e-12])
+@lru_cache
+def _first(reasoning: Reasoning, error: float, most: int) -> Move | None:
+    reach, belief = reasoning.reach, around((0.0, 0.0), error)
+    if not reasoning.feel:
+        return reasoning.next(belief)
+    openings = (*(each * reach.rho for each in FEELING), reach.tips.open_radius)
+    found = fewest_descents(reach, belief, most, openings)
+    return reasoning.next(belief) if isinstance(found, Stuck) else found
 
 
-def after_touch(belief: Belief, tips: Floats, touched: tuple[bool, ...], radius: float, tip_radius: float) -> Belief:
-    """After tips (3, 2) in m came down level with the top of a cylinder, some of them touching it.
+def _look_closer(reach: Reach, belief: BaseGeometry) -> Descent:
+    middle = shapely.minimum_bounding_circle(belief).centroid
+    stand = Stand(middle.x, middle.y, 0.0, FEELING[0] * reach.rho)
+    branches = [Branch(felt, left, Stuck(left)) for felt, left in reach.outcomes(belief, stand)]
+    return Descent(belief, stand, tuple(branches))
 
-    If what was felt contradicts the set (the cylinder was moved), only what was felt counts.
+
+def only_felt(reach: Reach, stand: Stand, touched: tuple[bool, ...]) -> BaseGeometry:
+    """What touches say by themselves, where they contradict all that was believed: the axis is near one of these tips."""
+    near = reach.rho + reach.pose_error + reach.displacement
+    disks = [around(at, near) for at, each in zip(stand.tips, touched, strict=True) if each]
+    common = shapely.intersection_all(disks)
+    return common if not areal(common).is_empty else shapely.union_all(disks)
+
+
+def not_caught(reach: Reach, belief: BaseGeometry, stand: Stand) -> BaseGeometry:
+    """What is left of a belief after a hand has closed on nothing: the region there is free."""
+    inner = reach.target.region.buffer(-reach.pose_error, quad_segs=ARC)
+    turned = shapely.affinity.rotate(inner, stand.turn, origin=(0.0, 0.0), use_radians=True)
+    left = areal(belief.difference(shapely.affinity.translate(turned, stand.x, stand.y)))
+    return belief if left.is_empty else left
+
+
+def standing_turn(turn: float) -> tuple[float, int]:
+    """A turn (rad) of the tips -> the smallest turn of the hand that puts tips there, and by how many fingers it is off.
+
+    The plan's tip j is then finger (j + number) mod 3.
     """
-    reach = radius + tip_radius
-    keep = _agrees(belief.places, tips, touched, reach)
-    if keep.any():
-        return Belief(belief.places[keep])
-    wide = around(tuple(tips[np.array(touched)].mean(axis=0)), 2.0 * reach)
-    keep = _agrees(wide.places, tips, touched, reach)
-    return Belief(wide.places[keep]) if keep.any() else wide
-
-
-def _agrees(places: Floats, tips: Floats, touched: tuple[bool, ...], reach: float) -> NDArray[np.bool_]:
-    apart = np.linalg.norm(places[:, None] - tips, axis=-1)
-    agrees = np.where(np.array(touched), apart <= reach + SLACK, apart >= (1.0 - UNFELT) * reach)
-    return np.asarray(agrees.all(axis=1))
+    third = 2.0 * pi / 3.0
+    number = round(turn / third)
+    return turn - number * third, number % 3

@@ -9,7 +9,8 @@ stops the arm, a hand of which only one side touches is turned about that contac
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -17,18 +18,20 @@ from numpy.typing import NDArray
 
 from palmar.behaviours.cell.arm_path import PERIOD, ArmPath, halt, toward
 from palmar.behaviours.cell.palm_alignment import aligned
-from palmar.behaviours.cell.sightings import Seen
-from palmar.behaviours.cell.table_pick import HOLD, LIFT, PATIENCE, lost
-from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandMode, HandOrder
+from palmar.behaviours.cell.phased import Phased, PhaseState, lost
+from palmar.behaviours.cell.table_pick import HOLD, LIFT
+from palmar.mechanics.arm.salisbury_finger import meeting_curl
+from palmar.models.cell_messages import NEVER, CellEnd, CellSeen, HandMode, HandOrder
 from palmar.models.salisbury_hand import CYLINDRIC, SalisburyHand
 
 Floats = NDArray[np.float64]
 WATCHED = 0.8
 """How long (s) the rest position is watched before the arm moves."""
-STAND_OFF, BEYOND, AWAY = 0.16, 0.06, 0.15
-"""Palm to the axis at the start of the drive; how far past the rest position it goes; how far it carries away (m)."""
+STAND_OFF, BEYOND = 0.16, 0.06
+"""Palm to the rest position at the start of the drive and at the end, with what is held; how far past it it goes (m)."""
 GENTLE, TURNING, TURNED = 0.02, 0.15, 5.0
 """With alignment: speed of the drive (m/s), rate of turning (rad/s), and the longest time (s) for it."""
+UP = np.array([0.0, 0.0, 1.0])
 CLOSING_TIME = 1.5
 """Fingers that have not arrived after this (s) do not."""
 
@@ -47,22 +50,17 @@ class Phase(Enum):
 
 
 @dataclass(frozen=True)
-class Catching:
-    """State: phase and when it began (s), the arm's set-point, sightings, the rest position (m), curls at the grip."""
+class Catching(PhaseState):
+    """``rest``: the rest position (m); ``away``: where (m) the palm carries the cylinder; ``soft_from``: as the order's."""
 
-    phase: Phase
-    since: float
-    path: ArmPath
-    seen: Seen = field(default_factory=Seen)
     rest: tuple[float, float] = (0.0, 0.0)
-    gripped_at: tuple[float, float, float] | None = None
     away: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    end: CellEnd | None = None
+    soft_from: float = NEVER
     approaches: int = 1
 
 
 @dataclass(frozen=True)
-class FloatingCatch:
+class FloatingCatch(Phased[Catching]):
     """What is known beforehand: the hand, and the height (m) at which to catch; the drive goes along the hand's z."""
 
     hand: SalisburyHand
@@ -70,30 +68,35 @@ class FloatingCatch:
     fast: float = 0.15
     drive: float = 0.12
     closing_rate: float = 4.0
+    soft_rate: float = 1.0
+    clearance: float = 0.010
     grip: float = 0.5
     align: bool = False
+    guided = frozenset({Phase.LINE_UP, Phase.DRIVE})
 
     def begin(self, pose: Floats, time: float) -> Catching:
         """At the arm's present set-point of the hand frame (4, 4)."""
         return Catching(Phase.LOOK, time, ArmPath(pose))
 
-    def step(self, state: Catching, seen: CellSeen) -> tuple[Catching, CellOrder]:
-        """One request of the arm's controller."""
-        state = replace(state, seen=state.seen.take(seen.sighting, seen.time))
-        if seen.stopped is not None:
-            state = replace(state, end=state.end or CellEnd.STOPPED)
-        if state.end is None:
-            state = _STEPS[state.phase](self, state, seen)
-        if state.end is not None and state.end is not CellEnd.HOLDS:
-            state = replace(state, path=halt(state.path))
-        guided = state.phase in (Phase.LINE_UP, Phase.DRIVE) and state.end is None
-        return state, CellOrder(state.path.pose, self._hand(state), state.phase.value, state.end, guided)
+    def in_phase(self, state: Catching, seen: CellSeen) -> Catching:
+        """What the present phase does at one request."""
+        return _STEPS[state.phase](self, state, seen)
 
-    def _hand(self, state: Catching) -> HandOrder:
+    def hand_order(self, state: Catching) -> HandOrder:
+        """Open, or closing from the moment the palm was felt."""
         closing = state.phase in (Phase.CLOSING, Phase.STOP, Phase.CARRY, Phase.HOLD)
         mode = HandMode.CLOSE if closing else HandMode.SHAPE
         armed = state.phase is Phase.DRIVE and not self.align
-        return HandOrder(mode, (self.hand.open_curl,) * 3, CYLINDRIC, self.closing_rate, self.grip, armed)
+        return HandOrder(
+            mode,
+            (CYLINDRIC.opened,) * 3,
+            CYLINDRIC,
+            self.closing_rate,
+            self.grip,
+            armed,
+            state.soft_from,
+            self.soft_rate,
+        )
 
     def _goal(self, state: Catching, distance: float) -> Floats:
         """Where (m) the palm is ``distance`` (m) before the axis, the axis across the middle of the palm."""
@@ -102,22 +105,19 @@ class FloatingCatch:
         place: Floats = axis - turn @ np.array([0.0, self.hand.grasp_line, distance])
         return place
 
-    def _blind(self, state: Catching, seen: CellSeen) -> Catching | None:
-        if state.seen.fresh(seen.time):
-            return None
-        gone = not state.seen.kept or seen.time - state.seen.kept[-1].stamp_s > PATIENCE or state.seen.same > 0
-        return replace(state, path=halt(state.path), end=CellEnd.NO_FRESH_SIGHTING if gone else None)
-
     def _look(self, state: Catching, seen: CellSeen) -> Catching:
         if any(seen.palm):
             return replace(state, end=CellEnd.SENSOR_FAULT)
         if seen.time - state.since < WATCHED:
             return state
-        blind = self._blind(state, seen)
-        return blind or replace(state, phase=Phase.LINE_UP, since=seen.time, rest=state.seen.place)
+        blind = self.blind(state, seen)
+        if blind is not None:
+            return blind
+        soft_from = meeting_curl(self.hand, CYLINDRIC, state.seen.radius, self.clearance)
+        return replace(state, phase=Phase.LINE_UP, since=seen.time, rest=state.seen.place, soft_from=soft_from)
 
     def _line_up(self, state: Catching, seen: CellSeen) -> Catching:
-        blind = self._blind(state, seen)
+        blind = self.blind(state, seen)
         if blind is not None:
             return blind
         if any(seen.palm):
@@ -132,7 +132,7 @@ class FloatingCatch:
             return replace(state, phase=Phase.ALIGN, since=seen.time, path=halt(state.path))
         if any(seen.palm):
             return self._closing(replace(state, phase=Phase.CLOSING, since=seen.time), seen)
-        blind = self._blind(state, seen)
+        blind = self.blind(state, seen)
         if blind is not None:
             return blind
         goal = self._goal(state, -BEYOND)
@@ -167,8 +167,7 @@ class FloatingCatch:
             return state
         if not seen.gripped:
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
-        way = np.array([0.0, 0.0, LIFT]) if self.align else -AWAY * state.path.pose[:3, 2]
-        away = state.path.place + way
+        away = state.path.place + LIFT * UP if self.align else self._goal(state, STAND_OFF)
         return replace(state, phase=Phase.CARRY, since=seen.time, gripped_at=seen.curls, away=tuple(away))
 
     def _carry(self, state: Catching, seen: CellSeen) -> Catching:
@@ -185,7 +184,7 @@ class FloatingCatch:
         return state if seen.time - state.since < HOLD else replace(state, end=CellEnd.HOLDS)
 
 
-_STEPS = {
+_STEPS: dict[Enum, Callable[[FloatingCatch, Catching, CellSeen], Catching]] = {
     Phase.LOOK: FloatingCatch._look,
     Phase.LINE_UP: FloatingCatch._line_up,
     Phase.DRIVE: FloatingCatch._drive,

@@ -74,7 +74,8 @@ def _close(state: ReflexState, felt: HandFelt, order: HandOrder, tick: float) ->
 def _further(curl: float, press: float, order: HandOrder, tick: float) -> float:
     if press >= order.grip:
         return curl
-    return min(curl + order.rate * tick * (GENTLE if press > FELT * order.grip else 1.0), FULL)
+    rate = order.rate if curl < order.soft_from else min(order.rate, order.soft_rate)
+    return min(curl + rate * tick * (GENTLE if press > FELT * order.grip else 1.0), FULL)
 
 
 def _toward(value: float, goal: float, most: float) -> float:

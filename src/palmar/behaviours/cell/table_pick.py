@@ -1,41 +1,46 @@
 """Task A (section 7.3.1): pick up a cylinder that stands on a table, from above along its axis, with three fingertips.
 
-Vision says where the axis is, up to an error; the arm lowers the open hand there. The palm touched: close. Fingers touched
-first: the tips say where the axis may be (``belief``), the arm rises, moves there and lowers the hand again. When two
-fingers touch long before the third, or the grip is off the palm's middle, the tips say where the axis is: the hand opens,
-the arm moves there, and it closes again.
+Vision says where the axis is, up to an error: a set (``belief``). The hand comes down to close only where the region of its
+three closing tips holds that whole set, and closes as soon as the palm touches; the tips push no higher than where the
+cylinder slides for certain (``grasp_height``). Where the set is too large, it first comes down with narrow fingers: which
+of them land on the top cuts the set, the arm rises, moves, and comes down again. When two fingers touch long before the
+third, or the grip is off the palm's middle, the tips say where the axis is: the hand opens, the arm moves there, and it
+closes again.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from enum import Enum
+from math import cos, sin
 
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.behaviours.cell.arm_path import ArmPath, halt, toward
-from palmar.behaviours.cell.belief import Belief, after_touch, around
-from palmar.behaviours.cell.sightings import Seen
-from palmar.mechanics.arm.salisbury_finger import tip_in_hand
-from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandMode, HandOrder
+from palmar.behaviours.cell.arm_path import ArmPath, halt, toward, turned
+from palmar.behaviours.cell.belief import Move, Reasoning, around, standing_turn
+from palmar.behaviours.cell.grasp_height import BACK_OFF, GraspHeights, grasp_heights
+from palmar.behaviours.cell.phased import PATIENCE, Phased, PhaseState, lost
+from palmar.behaviours.cell.tip_circle import alike, circumcentre, curl_for, through, tips_at
+from palmar.behaviours.descent import Closing
+from palmar.models.cell_messages import CellEnd, CellSeen, HandMode, HandOrder
+from palmar.models.cell_task import Cylinder
 from palmar.models.salisbury_hand import TIP_PREHENSION, SalisburyHand
 
 Floats = NDArray[np.float64]
 ENOUGH = 10
 """Sightings before the first move."""
-PATIENCE = 1.0
-"""How long (s) the arm waits for a fresh sighting or the fingers for a grip."""
-CLEARANCE, BACK_OFF, PAST_TOP = 0.025, 0.002, 0.0015
-"""Of the tips over the top; how far the palm draws back to close; how far below the top it feels for it (m)."""
+SPREAD = 0.0015
+"""What the mean of so many sightings is off by (m), unless they say that it is more."""
+CLEARANCE, BELOW, PAST_TOP = 0.025, 0.003, 0.0015
+"""Of the tips over the top; how far below it they feel beside it; how far below it the palm feels for it (m)."""
 LIFT, HOLD = 0.115, 2.3
 """How far (m) and how long (s)."""
-CAUGHT = 0.015
-"""What was within so much (m) of the palm's middle when the hand closed on nothing would have been caught."""
+DRAWN_BACK = 0.25
+"""So long (s) after the touch the palm is clear of the top again."""
 ALONE, OFF = 0.12, 0.005
 """So long (s) two fingers touch without the third before the arm moves, if that is further than this (m)."""
-GIVEN_WAY = 0.05
-"""Curl (rad) by which fingers have closed further when what they held is gone."""
 
 
 class Phase(Enum):
@@ -44,6 +49,7 @@ class Phase(Enum):
     LOOK = "look"
     OVER = "move over the cylinder"
     DESCEND = "lower the open hand"
+    FEEL = "lower narrow fingers to feel"
     RETREAT = "rise from what the fingers touched"
     CLOSE = "close"
     CENTRE = "move where two fingers felt it"
@@ -52,140 +58,169 @@ class Phase(Enum):
 
 
 @dataclass(frozen=True)
-class Picking:
-    """State: phase and when it began (s), the arm's set-point, sightings, belief, approaches so far, curls at the grip.
-
-    ``contact``: height (m) at which the palm touched; ``pair``: since when (s) two fingers touch without the third;
-    ``centre``: where (m) they say the axis is.
+class Picking(PhaseState):
+    """``move``: the next, in a frame with the hand's x and y of the start and its origin at ``origin`` (m, base); ``turn``:
+    of the hand since then (rad); ``curl``: of the fingers on the way down; ``contact``: height (m) at which the palm
+    touched; ``pair``: since when (s) two fingers touch without the third; ``centre``: where (m) they say the axis is.
     """
 
-    phase: Phase
-    since: float
-    path: ArmPath
-    seen: Seen = field(default_factory=Seen)
-    belief: Belief | None = None
-    approaches: int = 0
-    gripped_at: tuple[float, float, float] | None = None
+    move: Move | None = None
+    origin: tuple[float, float] = (0.0, 0.0)
+    turn: float = 0.0
+    curl: float = 0.0
     contact: float = 0.0
     pair: float | None = None
     centre: tuple[float, float] = (0.0, 0.0)
-    end: CellEnd | None = None
+
+    @property
+    def planned(self) -> Move:
+        """The next move, once there is one."""
+        assert self.move is not None
+        return self.move
 
 
 @dataclass(frozen=True)
-class TablePick:
-    """What is known beforehand: the hand, the cylinder's top (m), a bound (m) on vision's systematic error."""
+class TablePick(Phased[Picking]):
+    """What is known beforehand: the hand, the cylinder, its top (m), a bound (m) on vision's systematic error."""
 
     hand: SalisburyHand
+    cylinder: Cylinder
     top: float
     error: float
     approaches_most: int = 4
     fast: float = 0.15
     slow: float = 0.04
+    guided = frozenset({Phase.OVER, Phase.DESCEND, Phase.FEEL})
 
     def begin(self, pose: Floats, time: float) -> Picking:
-        """At the arm's present set-point of the hand frame (4, 4)."""
-        return Picking(Phase.LOOK, time, ArmPath(pose))
+        """At the arm's present set-point of the hand frame (4, 4); the first move is found beforehand."""
+        self.reasoning.first(self.error + SPREAD, self.approaches_most)
+        return Picking(Phase.LOOK, time, ArmPath(pose), curl=TIP_PREHENSION.opened)
 
-    def step(self, state: Picking, seen: CellSeen) -> tuple[Picking, CellOrder]:
-        """One request of the arm's controller."""
-        state = replace(state, seen=state.seen.take(seen.sighting, seen.time))
-        if seen.stopped is not None:
-            state = replace(state, end=state.end or CellEnd.STOPPED)
-        if state.end is None:
-            state = _STEPS[state.phase](self, state, seen)
-        if state.end is not None and state.end is not CellEnd.HOLDS:
-            state = replace(state, path=halt(state.path))
-        return state, CellOrder(state.path.pose, self._hand(state), state.phase.value, state.end, self._guided(state))
+    def in_phase(self, state: Picking, seen: CellSeen) -> Picking:
+        """What the present phase does at one request."""
+        return _STEPS[state.phase](self, state, seen)
 
     @property
-    def tips(self) -> Floats:
-        """Of the open hand (3, 3) in the hand frame."""
-        return self._tips((self.hand.open_curl,) * 3)
+    def heights(self) -> GraspHeights:
+        """At which it may close."""
+        return grasp_heights(self.hand, self.cylinder)
 
-    def _tips(self, curls: tuple[float, float, float]) -> Floats:
-        joints = TIP_PREHENSION.joints(np.array(curls))
-        return np.stack([tip_in_hand(self.hand, k, joints[k]) for k in range(3)])
+    @property
+    def reasoning(self) -> Reasoning:
+        """About where the cylinder stands."""
+        return Reasoning(self.hand, self.cylinder, self.heights.may_feel)
 
     @property
     def over(self) -> float:
         """Height (m) of the palm from which the hand is lowered."""
-        return self.top + float(self.tips[:, 2].max()) + self.hand.tip_radius + CLEARANCE
+        return self.top + self._deep(TIP_PREHENSION.opened) + self.hand.tip_radius + CLEARANCE
 
-    def _guided(self, state: Picking) -> bool:
-        return state.phase in (Phase.OVER, Phase.DESCEND) and state.end is None
+    @property
+    def down(self) -> float:
+        """Height (m) of the palm down to which the open hand is lowered: it touches the top, unless the table is near."""
+        heights = self.heights
+        return self.top + (-PAST_TOP if heights.by_palm else heights.lowest - self.cylinder.height)
 
-    def _hand(self, state: Picking) -> HandOrder:
-        open_curls = (self.hand.open_curl,) * 3
+    def _deep(self, curl: float) -> float:
+        return float(tips_at(self.hand, np.array(alike(curl)))[0, 2])
+
+    def hand_order(self, state: Picking) -> HandOrder:
+        """In the shape of the next move, or closing from the moment the palm was felt."""
         if state.phase in (Phase.CLOSE, Phase.LIFT, Phase.HOLD):
-            return HandOrder(HandMode.CLOSE, open_curls)
-        return HandOrder(HandMode.SHAPE, open_curls, close_on_palm=state.phase is Phase.DESCEND)
+            return HandOrder(HandMode.CLOSE, alike(TIP_PREHENSION.opened))
+        return HandOrder(HandMode.SHAPE, alike(state.curl), close_on_palm=state.phase is Phase.DESCEND)
 
     def _look(self, state: Picking, seen: CellSeen) -> Picking:
         if any(seen.palm):
             return replace(state, end=CellEnd.SENSOR_FAULT)
         if len(state.seen.kept) >= ENOUGH and state.seen.fresh(seen.time):
-            error = self.error + 3.0 * state.seen.sigma / len(state.seen.kept) ** 0.5
-            belief = around(state.seen.place, error)
-            return replace(state, phase=Phase.OVER, since=seen.time, belief=belief, approaches=1)
+            error = self.error + max(SPREAD, 3.0 * state.seen.sigma / len(state.seen.kept) ** 0.5)
+            move = None if self.heights.refusal else self.reasoning.first(error, self.approaches_most)
+            return self._go(replace(state, origin=state.seen.place, approaches=1), seen, move)
         late = seen.time - state.since > 2.0 * PATIENCE
         return replace(state, end=CellEnd.NO_FRESH_SIGHTING) if late else state
 
-    def _wait_for_sight(self, state: Picking, seen: CellSeen) -> Picking | None:
-        """The state that holds still where there is no fresh sighting, None where there is one."""
-        if state.seen.fresh(seen.time):
-            return None
-        last = state.seen.kept[-1].stamp_s
-        lost = seen.time - last > PATIENCE or state.seen.same > 0
-        return replace(state, path=halt(state.path), end=CellEnd.NO_FRESH_SIGHTING if lost else None)
+    def _go(self, state: Picking, seen: CellSeen, move: Move | None) -> Picking:
+        """Over the place of a move, with the fingers on its circle."""
+        if move is None:
+            return replace(state, end=CellEnd.WOULD_TOPPLE)
+        curl = curl_for(self.hand, move.stand.opening)
+        return replace(state, phase=Phase.OVER, since=seen.time, move=move, curl=curl)
 
     def _goal(self, state: Picking, height: float) -> Floats:
-        assert state.belief is not None
-        return np.array([*state.belief.middle, height])
+        stand = state.planned.stand
+        x, y = state.origin + self._frame(state) @ (stand.x, stand.y)
+        return np.array([x, y, height])
+
+    def _frame(self, state: Picking) -> Floats:
+        """Columns (2, 2): x and y of the hand at the start, in the base."""
+        c, s = cos(state.turn), sin(state.turn)
+        frame: Floats = state.path.pose[:2, :2] @ np.array([[c, s], [-s, c]])
+        return frame
 
     def _over(self, state: Picking, seen: CellSeen) -> Picking:
-        waiting = self._wait_for_sight(state, seen)
+        waiting = self.blind(state, seen)
         if waiting is not None:
             return waiting
         if any(seen.palm):
             return replace(state, end=CellEnd.SENSOR_FAULT)
-        goal = self._goal(state, self.over)
-        if state.path.there(goal):
-            return replace(state, phase=Phase.DESCEND, since=seen.time)
-        return replace(state, path=toward(state.path, goal, self.fast))
+        goal, left = self._goal(state, self.over), standing_turn(state.planned.stand.turn)[0] - state.turn
+        if state.path.there(goal) and left == 0.0 and seen.at_end:
+            closing = isinstance(state.move, Closing)
+            return replace(state, phase=Phase.DESCEND if closing else Phase.FEEL, since=seen.time)
+        path, step = turned(toward(state.path, goal, self.fast), left)
+        return replace(state, path=path, turn=state.turn + step)
 
     def _descend(self, state: Picking, seen: CellSeen) -> Picking:
-        if any(seen.palm):
-            return replace(
-                state, phase=Phase.CLOSE, since=seen.time, path=halt(state.path), contact=state.path.place[2]
-            )
+        """Open, where the region holds the belief, until the palm touches or the table is near."""
+        goal = self._goal(state, self.down)
+        if any(seen.palm) or (state.path.there(goal) and not self.heights.by_palm):
+            contact = max(state.path.place[2], self.down)
+            return replace(state, phase=Phase.CLOSE, since=seen.time, path=halt(state.path), contact=contact)
         if any(seen.touched):
-            return self._felt_fingers(state, seen)
-        waiting = self._wait_for_sight(state, seen)
+            return self._felt(state, seen)
+        waiting = self.blind(state, seen)
         if waiting is not None:
             return waiting
-        goal = self._goal(state, self.top - PAST_TOP)
         if state.path.there(goal) and seen.time - state.since > PATIENCE:
             return replace(state, end=CellEnd.NOTHING_FELT)
         return replace(state, path=toward(state.path, goal, self.slow))
 
-    def _felt_fingers(self, state: Picking, seen: CellSeen) -> Picking:
-        assert state.belief is not None
-        tips = (seen.palm_pose[:3, :3] @ self.tips.T).T + seen.palm_pose[:3, 3]
-        belief = after_touch(state.belief, tips[:, :2], seen.touched, state.seen.radius, self.hand.tip_radius)
-        return replace(state, phase=Phase.RETREAT, since=seen.time, path=halt(state.path), belief=belief)
+    def _feel(self, state: Picking, seen: CellSeen) -> Picking:
+        """With the fingers on a circle, until some land on the top or all are beside it."""
+        if any(seen.palm):
+            return replace(state, end=CellEnd.SENSOR_FAULT)
+        goal = self._goal(state, self.top - BELOW + self._deep(state.curl))
+        if any(seen.touched) or state.path.there(goal):
+            return self._felt(state, seen)
+        waiting = self.blind(state, seen)
+        return waiting or replace(state, path=toward(state.path, goal, self.slow))
+
+    def _felt(self, state: Picking, seen: CellSeen) -> Picking:
+        """What touched, and what did not, cuts the belief; the hand closes where it is, or rises to its next move."""
+        return self._rise(state, seen, self.reasoning.after_touch(state.planned, seen.touched, self.error + SPREAD))
+
+    def _rise(self, state: Picking, seen: CellSeen, move: Move | None) -> Picking:
+        if move is None:
+            return replace(state, end=CellEnd.WOULD_TOPPLE)
+        stays = isinstance(move, Closing) and move.there
+        phase = Phase.DESCEND if stays else Phase.RETREAT
+        return replace(state, phase=phase, since=seen.time, path=halt(state.path), move=move)
 
     def _retreat(self, state: Picking, seen: CellSeen) -> Picking:
         if state.approaches >= self.approaches_most:
             return replace(state, end=CellEnd.OUT_OF_APPROACHES)
         goal = np.array([*state.path.place[:2], self.over])
         if state.path.there(goal):
-            return replace(state, phase=Phase.OVER, since=seen.time, approaches=state.approaches + 1)
+            return self._go(replace(state, approaches=state.approaches + 1), seen, state.move)
         return replace(state, path=toward(state.path, goal, self.fast))
 
     def _close(self, state: Picking, seen: CellSeen) -> Picking:
         goal = np.array([*state.path.place[:2], state.contact + BACK_OFF])
         state = replace(state, path=toward(state.path, goal, self.slow))
+        if any(seen.palm) and not any(seen.touched) and seen.time - state.since > DRAWN_BACK:
+            return replace(state, end=CellEnd.SENSOR_FAULT)
         if seen.gripped:
             return self._gripped(state, seen)
         if seen.at_end or seen.time - state.since > 3.0 * PATIENCE:
@@ -204,17 +239,16 @@ class TablePick:
         return replace(state, phase=Phase.CENTRE, since=seen.time, pair=None, centre=place, approaches=more)
 
     def _tips_now(self, seen: CellSeen) -> Floats:
-        tips: Floats = (seen.palm_pose[:3, :3] @ self._tips(seen.curls).T).T + seen.palm_pose[:3, 3]
+        tips: Floats = (seen.palm_pose[:3, :3] @ tips_at(self.hand, np.array(seen.curls)).T).T + seen.palm_pose[:3, 3]
         return tips
 
     def _again(self, state: Picking, seen: CellSeen) -> Picking:
         """Closed on nothing: it is not where the hand would have caught it."""
-        assert state.belief is not None
         if state.approaches >= self.approaches_most or not state.seen.fresh(seen.time):
             return replace(state, end=CellEnd.NOTHING_GRIPPED)
-        places = around(state.seen.place, self.error + state.seen.sigma).places
-        left = places[np.linalg.norm(places - state.path.place[:2], axis=1) > CAUGHT]
-        return replace(state, phase=Phase.RETREAT, since=seen.time, belief=Belief(left if len(left) else places))
+        x, y = self._frame(state).T @ (np.array(state.seen.place) - state.origin)
+        belief = around((float(x), float(y)), self.error + SPREAD)
+        return self._rise(state, seen, self.reasoning.after_nothing(state.planned, belief))
 
     def _felt_pair(self, state: Picking, seen: CellSeen) -> Picking:
         if sum(seen.touched) != 2 or state.approaches >= self.approaches_most:
@@ -222,7 +256,7 @@ class TablePick:
         pair = seen.time if state.pair is None else state.pair
         one, two = self._tips_now(seen)[np.array(seen.touched), :2]
         middle = seen.palm_pose[:2, 3]
-        centre = through(one, two, state.seen.radius + self.hand.tip_radius, middle)
+        centre = through(one, two, self.cylinder.radius + self.hand.tip_radius, middle)
         if seen.time - pair < ALONE or float(np.linalg.norm(centre - middle)) < OFF:
             return replace(state, pair=pair)
         return self._to_centre(state, seen, centre)
@@ -230,8 +264,10 @@ class TablePick:
     def _centre(self, state: Picking, seen: CellSeen) -> Picking:
         goal = np.array([*state.centre, state.contact + BACK_OFF])
         if state.path.there(goal) and seen.at_end:
+            if any(seen.palm):
+                return replace(state, end=CellEnd.SENSOR_FAULT)
             return replace(state, phase=Phase.CLOSE, since=seen.time)
-        opened = max(seen.curls) < 0.5 * self.hand.open_curl
+        opened = max(seen.curls) < 0.5 * TIP_PREHENSION.opened
         return replace(state, path=toward(state.path, goal, self.slow)) if opened else state
 
     def _lift(self, state: Picking, seen: CellSeen) -> Picking:
@@ -248,34 +284,11 @@ class TablePick:
         return state if seen.time - state.since < HOLD else replace(state, end=CellEnd.HOLDS)
 
 
-def through(one: Floats, two: Floats, radius: float, near: Floats) -> Floats:
-    """Centre (2,) of the circle of a radius (m) through two points (2,), of both the one nearer to a third point."""
-    half = 0.5 * (two - one)
-    length = float(np.linalg.norm(half))
-    side = np.array([-half[1], half[0]]) / length * max(radius**2 - length**2, 0.0) ** 0.5
-    centres = np.stack([one + half + side, one + half - side])
-    nearest: Floats = centres[np.linalg.norm(centres - near, axis=1).argmin()]
-    return nearest
-
-
-def circumcentre(tips: Floats) -> Floats:
-    """Centre (2,) of the circle through three points (3, 2)."""
-    sides = 2.0 * (tips[1:] - tips[0])
-    squares = (tips**2).sum(axis=1)
-    centre: Floats = np.linalg.solve(sides, squares[1:] - squares[0])
-    return centre
-
-
-def lost(gripped_at: tuple[float, float, float] | None, seen: CellSeen) -> bool:
-    """Whether fingers have closed further since the grip: what they held is gone."""
-    assert gripped_at is not None
-    return max(now - then for now, then in zip(seen.curls, gripped_at, strict=True)) > GIVEN_WAY
-
-
-_STEPS = {
+_STEPS: dict[Enum, Callable[[TablePick, Picking, CellSeen], Picking]] = {
     Phase.LOOK: TablePick._look,
     Phase.OVER: TablePick._over,
     Phase.DESCEND: TablePick._descend,
+    Phase.FEEL: TablePick._feel,
     Phase.RETREAT: TablePick._retreat,
     Phase.CLOSE: TablePick._close,
     Phase.CENTRE: TablePick._centre,

@@ -31,6 +31,7 @@ for name, summary in {
     "impact": "How hard a finger strikes the object, and what softens that.",
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
+    "sweep": "One case made millions: a table of answers in Parquet files, and questions to it.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",
     "studio": "See the hand, drag it, and know what it catches: a web page.",
     "cases": "The shipped cases, or one of them printed.",

@@ -65,11 +65,16 @@ def region(
     sweep: Annotated[
         Text, Parameter(help="LENGTH_MM[,WIDTH_MM]: of a cylinder and the hand along its axis, for stl, glb, ply.")
     ] = None,
+    palm_only: Annotated[
+        bool, Parameter(negative="", help="With --sweep: only the palm feels, so the region shrinks to its width.")
+    ] = False,
     out: Annotated[Path | None, Parameter(help="Also write a file: svg, pdf, png, dxf, geojson, csv or json.")] = None,
     json: AsJson = False,
     check: Check = False,
 ) -> None:
     """Centre, contact and whole region of the closing motion, area and allowed position error; and how far they apply."""
+    if palm_only and (sweep is None or seen_from is Seen.OBJECT):
+        raise InputError("--palm-only", None, "needs --sweep, and the region seen from the hand")
     if out is not None and sweep is None:
         from palmar.faces.exports.region_file import known_ending
 
@@ -93,7 +98,7 @@ def region(
         record, text = region_record(result, from_object=from_object), region_text(result)
         caught = not result.centre.is_empty
     record |= answers_record(given, found)
-    written = [] if result is None else _written(out, sweep, given, result, from_object, record)
+    written = [] if result is None else _written(out, (sweep, palm_only), given, result, from_object, record)
     show(titled(name, given, text, *answers_text(given, found), *written), record, json)
     answer(caught, check)
 
@@ -116,14 +121,23 @@ def _built(
 
 
 def _written(
-    out: Path | None, sweep: str | None, case: Case, region: Region, from_object: bool, record: dict[str, Any]
+    out: Path | None,
+    swept: tuple[str | None, bool],
+    case: Case,
+    region: Region,
+    from_object: bool,
+    record: dict[str, Any],
 ) -> list[str]:
-    """Write the file asked for, flat or swept along the cylinder's axis, and say so."""
+    """Write the file asked for, flat or swept along the cylinder's axis (the lengths, palm only), and say so."""
+    sweep, palm_only = swept
     if sweep is not None:
-        from palmar.faces.cli.swept import write_swept
+        from palmar.faces.cli.swept import tilt_of, write_swept
         from palmar.geometry.planar_set import seen_from_object
 
-        return [write_swept(out, seen_from_object(region.centre) if from_object else region.centre, sweep)]
+        centre = seen_from_object(region.centre) if from_object else region.centre
+        said, record["swept"] = write_swept(out, centre, sweep, case.hand.half_palm if palm_only else None)
+        tilt, record["swept"]["tilt"] = tilt_of(case, sweep)
+        return [said, tilt] if tilt else [said]
     if out is None:
         return []
     from palmar.faces.exports.region_file import write_region

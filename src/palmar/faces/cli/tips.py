@@ -32,6 +32,8 @@ def region(
     closed: Number = "20",
     friction: Number = "0.5",
     pressure: Pressure = Pressure.UNIFORM,
+    height: Annotated[Maybe, Parameter(help="Of the cylinder: adds at which heights the tips may close on it.")] = None,
+    table_friction: Annotated[Number, Parameter(help="Of the cylinder with the table, with --height.")] = "0.3",
     sweep: Annotated[
         str | None, Parameter(help="LENGTH_MM[,WIDTH_MM]: of the cylinder and the hand, for stl, glb, ply.")
     ] = None,
@@ -43,22 +45,28 @@ def region(
 ) -> None:
     """From where the closing tips catch the cylinder: centre region, allowed error, radii they hold. Lengths in mm."""
     from palmar.faces.cli.swept import write_swept
-    from palmar.faces.tips_record import tips_region_record, tips_region_text
+    from palmar.faces.tips_record import closing_heights, heights_text, tips_region_record, tips_region_text
 
     task = _task(radius, tip_radius, open, closed, friction, pressure=pressure)
     drawn = out is not None and out.suffix.lower() in (".svg", ".pdf", ".png")
     if out is not None and sweep is None and not drawn:
         raise InputError("--out", str(out), "is svg, pdf or png, or with --sweep stl, glb or ply")
     found = task.region
+    record, text = tips_region_record(task, found), tips_region_text(task, found)
+    if height is not None:
+        table = _plain(table_friction, "--table-friction")
+        record["heights"] = closing_heights(task, _length(height, "--height"), table)
+        text += "\n" + heights_text(record["heights"])
     written = "" if out is None else f"\n\nWritten: {out}"
     if sweep is not None:
-        written = "\n\n" + write_swept(out, found.centre, sweep)
+        said, record["swept"] = write_swept(out, found.centre, sweep)
+        written = "\n\n" + said
     elif out is not None:
         from palmar.faces.plots.style import save
         from palmar.faces.plots.tips_picture import tips_picture
 
         save(tips_picture(task, found), out)
-    show(tips_region_text(task, found) + written, tips_region_record(task, found), json)
+    show(text + written, record, json)
     answer(not found.centre.is_empty, check)
 
 

@@ -79,6 +79,20 @@ def _geojson(region: Region, from_object: bool) -> str:
     return json.dumps({"type": "FeatureCollection", "features": features}, allow_nan=False)
 
 
+def write_places(path: Path, sets: dict[str, MultiPolygon]) -> None:
+    """Write named sets of places (m, the arm's base frame) as GeoJSON in mm, whole or not at all."""
+    features = [
+        {
+            "type": "Feature",
+            "properties": {"region": name, "unit": "mm", "frame": "base"},
+            "geometry": {"type": "MultiPolygon", "coordinates": _millimetres(coordinates(each))},
+        }
+        for name, each in sets.items()
+    ]
+    text = json.dumps({"type": "FeatureCollection", "features": features}, allow_nan=False)
+    write_whole(path, lambda partial: _write_text(partial, text))
+
+
 def _csv(region: Region, from_object: bool) -> str:
     rows: list[list[object]] = [["region", "polygon", "ring", "x_mm", "y_mm"]]
     for name, each in _sets(region, from_object).items():

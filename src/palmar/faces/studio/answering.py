@@ -11,7 +11,7 @@ from palmar.faces.studio.answers.export import export
 from palmar.faces.studio.answers.part import File, Part, Question
 from palmar.faces.studio.kinds import Kind
 from palmar.models.case import Case
-from palmar.models.case_file import parse_case, read_tables
+from palmar.models.case_file import build_case, parse_case
 from palmar.models.shipped import shipped_text
 
 Answer = Callable[[Question], Iterator[Part]]
@@ -47,7 +47,7 @@ def read(case: Any) -> Case:
     if isinstance(case, str):
         return parse_case(case)
     if isinstance(case, dict):
-        return read_tables(case)
+        return build_case(case)
     raise InputError("case", None, "must be the tables of a case file, or its text")
 
 

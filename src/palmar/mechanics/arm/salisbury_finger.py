@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.models.salisbury_hand import SalisburyHand
+from palmar.models.salisbury_hand import Curl, SalisburyHand
 
 Floats = NDArray[np.float64]
 
@@ -49,10 +49,34 @@ def _differences(hand: SalisburyHand) -> Floats:
 
 def tip_in_hand(hand: SalisburyHand, finger: int, joints: Floats) -> Floats:
     """Centre (…, 3) in m of a finger's tip in the hand frame at joint angles (…, 3) in rad."""
+    tip: Floats = chain_in_hand(hand, finger, joints)[..., 2, :]
+    return tip
+
+
+def chain_in_hand(hand: SalisburyHand, finger: int, joints: Floats) -> Floats:
+    """Base, knuckle and tip's centre (…, 3, 3) in m of a finger in the hand frame at joint angles (…, 3) in rad."""
     joints = np.asarray(joints, float)
     swing, first, both = joints[..., 0], joints[..., 1], joints[..., 1] + joints[..., 2]
-    near, far = hand.links
-    inward, up = near * np.sin(first) + far * np.sin(both), near * np.cos(first) + far * np.cos(both)
-    radial, side, height = hand.base_circle - inward, -up * np.sin(swing), up * np.cos(swing)
+    (near, far), none = hand.links, np.zeros_like(first)
+    inward = np.stack([none, near * np.sin(first), near * np.sin(first) + far * np.sin(both)], axis=-1)
+    up = np.stack([none, near * np.cos(first), near * np.cos(first) + far * np.cos(both)], axis=-1)
+    radial, side, height = hand.base_circle - inward, -up * np.sin(swing)[..., None], up * np.cos(swing)[..., None]
     cosine, sine = np.cos(hand.bases[finger]), np.sin(hand.bases[finger])
     return np.stack([cosine * radial - sine * side, sine * radial + cosine * side, height], axis=-1)
+
+
+def meeting_curl(hand: SalisburyHand, curl: Curl, radius: float, clearance: float) -> float:
+    """The curl (rad) up to which closing fingers stay ``clearance`` (m) off a cylinder that lies across the palm.
+
+    Its axis is parallel to the hand's x, over the grasp line, its ``radius`` (m) above the palm's face. Seen along the axis
+    each link is a segment in the (y, z) plane, so its distance from the axis is that of a segment from a point, whatever
+    the finger's plane. Curls are looked through in steps of 5e-3 rad, from open to the joint's limit.
+    """
+    curls = np.arange(curl.opened, hand.joint_limits[1][1], 5e-3)
+    chains = np.stack([chain_in_hand(hand, k, curl.joints(curls)) for k in range(3)])[..., 1:]
+    start, along = chains[:, :, :-1] - (hand.grasp_line, radius), np.diff(chains, axis=2)
+    share = np.clip(-(start * along).sum(axis=-1) / (along**2).sum(axis=-1), 0.0, 1.0)
+    apart = np.linalg.norm(start + share[..., None] * along, axis=-1)
+    sizes = hand.link_radius, max(hand.link_radius, hand.tip_radius)
+    meets = (apart - sizes < radius + clearance).any(axis=(0, 2))
+    return float(curls[max(int(np.argmax(meets)) - 1, 0)] if meets.any() else curls[-1])

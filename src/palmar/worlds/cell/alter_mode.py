@@ -44,6 +44,11 @@ class AlterMode:
             self.missed += 1
         self.waiting, self.due = joints, request + min(delay, DEADLINE)
 
+    def hold(self) -> None:
+        """Stay where it is now, for good: nobody is to reply any more."""
+        self.goal, self.rate, self.waiting = self.now.copy(), np.zeros(6), None
+        self.until, self.due = 0.0, np.inf
+
     def advance(self, time: float, tick: float) -> tuple[Floats, Floats]:
         """Set-points (6,) in rad and their rates at a time (s), one tick (s) on."""
         if time >= self.due - 1e-9 and (self.waiting is not None or self.interrupted):

@@ -1,4 +1,4 @@
-"""What can be made to fail in the cell, and when."""
+"""What can be made to fail in the cell, and when: in real time processes are killed or stopped, in lock-step silent."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ class FaultKind(Enum):
     TENDON_DEAD = "tendon-dead"
     LATE_REPLY = "late-reply"
     CONTROLLER_KILLED = "controller-killed"
+    CONTROLLER_HUNG = "controller-hung"
+    VISION_KILLED = "vision-killed"
 
 
 @dataclass(frozen=True)

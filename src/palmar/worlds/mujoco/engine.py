@@ -6,11 +6,18 @@ import os
 
 from palmar.errors import NotCoveredError
 
+_way = os.environ.get("MUJOCO_GL")
+os.environ["MUJOCO_GL"] = (
+    "disable"  # or the import fails where a graphics library is missing; ``cell.renderer`` opens it
+)
 try:
     import mujoco
 except ModuleNotFoundError:
     raise NotCoveredError("the world mujoco needs the package mujoco: pip install 'palmar[mujoco]'") from None
-except (ImportError, AttributeError) as error:  # what its graphics raise where MUJOCO_GL names a way that is not there
-    raise NotCoveredError(f"mujoco does not start with MUJOCO_GL={os.environ.get('MUJOCO_GL')}: {error}") from None
+finally:
+    if _way is None:
+        del os.environ["MUJOCO_GL"]
+    else:
+        os.environ["MUJOCO_GL"] = _way
 
 __all__ = ["mujoco"]

@@ -13,6 +13,7 @@ from palmar.models.salisbury_hand import TIP_PREHENSION, SalisburyHand
 from palmar.studies.cell_trials import Trials, run_one
 from palmar.worlds.cell.faults import Fault, FaultKind
 from palmar.worlds.mujoco.cell.cell import Cell
+from palmar.worlds.mujoco.cell.judge import OBJECT_FORCE, Judge
 from palmar.worlds.mujoco.cell.scene import cell_xml
 from palmar.worlds.mujoco.cell.settings import CellSettings
 from palmar.worlds.mujoco.cell.trial import run_trial, start_pose
@@ -87,6 +88,61 @@ def test_a_cylinder_is_picked_up_from_the_table():
     assert (result.missed, result.table_force) == (0, 0.0)
 
 
+def test_a_floating_cylinder_is_caught_softly_and_no_finger_goes_through_another():
+    """Fingers slow down before they meet it: a third of what it takes to be unsafe."""
+    nearest, tips = [], [f"tip_{k}" for k in range(3)]
+
+    def watch(cell):
+        places = [cell.data.site(each).xpos for each in tips]
+        nearest.append(min(np.linalg.norm(places[k] - places[k - 1]) for k in range(3)))
+
+    result = run_trial(HAND, FLOATING_TASK, CellSettings(seed=1), watch=watch)
+    assert (result.outcome, result.unsafe) == ("success", ())
+    assert 20.0 < result.object_force < 80.0
+    assert min(nearest) > 2.0 * HAND.tip_radius
+
+
+def test_a_blow_of_one_tick_is_noticed_with_the_engine_s_own_force():
+    cell = still_cell()
+    judge, force = Judge(cell), np.zeros(6)
+    tip, place = cell.data.site("tip_0").xpos, cell.model.joint("object").qposadr[0]
+    for depth in (0.0, 0.030):
+        cell.data.qpos[place : place + 3] = tip + np.array(
+            [HAND.tip_radius + TABLE_TASK.cylinder.radius - depth, 0.0, 0.0]
+        )
+        mujoco.mj_step1(cell.model, cell.data)
+        mujoco.mj_step2(cell.model, cell.data)
+        judge.feel()
+    blow = 0.0
+    for i in range(cell.data.ncon):
+        mujoco.mj_contactForce(cell.model, cell.data, i, force)
+        blow += force[0]
+    cell.data.qpos[place : place + 3] = (0.4, 0.4, 0.5)
+    cell.tick()
+    judge.feel()
+    judge.weigh()
+    assert cell.data.ncon == 0
+    assert judge.object_force == pytest.approx(blow)
+    assert judge.table_force == 0.0
+    assert blow > OBJECT_FORCE
+    assert judge.faults == {f"pressed the object with more than {OBJECT_FORCE:g} N"}
+
+
+def test_a_cylinder_that_is_not_known_well_enough_is_felt_for_first():
+    result = run_one((Trials(TaskKind.TABLE, 1, seed=1, error=0.03, exact=True), 0))
+    assert (result.outcome, result.unsafe) == ("success", ())
+    order = [what for _, what in result.phases]
+    assert order.index("lower narrow fingers to feel") < order.index("lower the open hand") < order.index("close")
+
+
+def test_one_that_would_topple_is_left_alone():
+    from dataclasses import replace
+
+    tall = replace(TABLE_TASK, cylinder=replace(TABLE_TASK.cylinder, height=0.28))
+    result = run_trial(HAND, tall, CellSettings(seed=1))
+    assert (result.outcome, result.object_force, result.unsafe) == ("would topple", 0.0, ())
+
+
 def test_without_friction_nothing_is_held():
     """What holds the cylinder is friction, so without it the trial must fail."""
     from dataclasses import replace
@@ -108,6 +164,11 @@ def test_a_late_reply_stops_the_arm_safely_and_is_counted():
     assert result.missed >= 1
     assert result.trace[-1][1] == "safe stop"
     assert result.seconds < 2.0
+
+
+def test_at_every_end_but_the_good_one_the_hand_is_stopped():
+    result = run_trial(HAND, TABLE_TASK, CellSettings(fault=Fault(FaultKind.CAMERA_KILLED, 0.9)))
+    assert (result.outcome, result.unsafe, result.trace[-1][1]) == ("no fresh sighting", (), "safe stop")
 
 
 def test_trials_depend_on_seed_and_number_only():

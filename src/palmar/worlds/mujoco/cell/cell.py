@@ -18,10 +18,11 @@ from palmar.mechanics.arm.puma_560 import forward, nearest
 from palmar.mechanics.arm.salisbury_finger import tensions
 from palmar.models.cell_messages import CellSeen, Eye, HandFelt, HandMode, HandOrder, Owner, Sighting
 from palmar.models.cell_task import CellTask, TaskKind
-from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, SalisburyHand
+from palmar.models.salisbury_hand import CYLINDRIC, TIP_PREHENSION, Curl, SalisburyHand
 from palmar.worlds.cell.alter_mode import AlterMode
 from palmar.worlds.cell.faults import FaultKind
 from palmar.worlds.cell.pose_camera import PoseCamera
+from palmar.worlds.cell.timed_camera import Sight, TimedCamera
 from palmar.worlds.mujoco.cell.finger_sense import FingerSense
 from palmar.worlds.mujoco.cell.scene import STEP, cell_xml
 from palmar.worlds.mujoco.cell.settings import (
@@ -41,13 +42,17 @@ ELBOW_UP = np.radians([18.0, 71.0, -202.0, 0.0, -49.0, -162.0])
 
 @dataclass
 class Cell:
-    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers; ``eye``: None, the simulated camera."""
+    """One trial's cell; the hand frame starts at ``pose`` (4, 4) with open fingers.
+
+    ``eye``: None, a camera in lock-step; ``sight``: what it sees in a frame, None, the true pose with noise.
+    """
 
     hand: SalisburyHand
     task: CellTask
     settings: CellSettings
     pose: Floats
     eye: Eye | None = None
+    sight: Sight | None = None
     trace: list[tuple[float, Owner]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -58,28 +63,25 @@ class Cell:
         self.mount[2, 3] = self.hand.mount
         self.unmount = np.linalg.inv(self.mount)
         self.object = self.model.body("object").id
-        self._place()
+        curl = TIP_PREHENSION if self.task.kind is TaskKind.TABLE else CYLINDRIC
+        self._place(curl)
         self.sense = FingerSense(self.hand, STEP, self.settings.tension_noise)
         self.readings = np.full((3, 4), self.hand.tension_least)
-        curl = TIP_PREHENSION if self.task.kind is TaskKind.TABLE else CYLINDRIC
-        self.order = HandOrder(HandMode.SHAPE, (self.hand.open_curl,) * 3, curl)
-        self.reflex = ReflexState((self.hand.open_curl,) * 3)
+        self.order = HandOrder(HandMode.SHAPE, (curl.opened,) * 3, curl)
+        self.reflex = ReflexState((curl.opened,) * 3)
         self.wanted = curl.joints(np.array(self.reflex.set_points))
-        self.camera = PoseCamera(self.settings.camera, self._axis, self.random, self.settings.fault)
+        self.pose_camera = PoseCamera(self.settings.camera, self.random)
+        self.camera = TimedCamera(self.settings.camera, self.random, self.settings.fault)
         self.stopped: str | None = None
         self.sighting: Sighting | None = None
         self.touched, self.palm = [False] * 3, [False] * 2
 
-    def _place(self) -> None:
+    def _place(self, curl: Curl) -> None:
         joints = nearest(self.pose @ self.unmount, ELBOW_UP)
         if joints is None:
             raise InputError("cell", None, "the arm must be able to reach the start of the task")
         self.data.qpos[ARM] = joints
-        self.data.qpos[FINGERS] = (
-            (TIP_PREHENSION if self.task.kind is TaskKind.TABLE else CYLINDRIC)
-            .joints(np.full(3, self.hand.open_curl))
-            .ravel()
-        )
+        self.data.qpos[FINGERS] = curl.joints(np.full(3, curl.opened)).ravel()
         at = int(self.model.joint("object").qposadr[0])
         speed = int(self.model.joint("object").dofadr[0])
         self.data.qpos[at : at + 2] += self.settings.offset
@@ -92,9 +94,11 @@ class Cell:
         """Seconds since the start."""
         return float(self.data.time)
 
-    def _axis(self) -> tuple[float, float, float]:
-        x, y, _ = self.data.xpos[self.object]
-        return float(x), float(y), self.task.cylinder.radius
+    def _frame(self, now: float) -> Sighting | None:
+        if self.sight is not None:
+            return self.sight(self.data.qpos, now)
+        x, y, _ = self.data.xpos[self.object].tolist()
+        return self.pose_camera.sight(now, x, y, self.task.cylinder.radius)
 
     def seen(self) -> CellSeen:
         """What a behaviour is told now; touches since the last call are kept until it is."""
@@ -119,25 +123,31 @@ class Cell:
         """Answer the arm's request with a pose of the hand frame (4, 4); whether the arm can reach it."""
         delay = self.settings.reply + 0.001 * float(self.random.exponential())
         fault = self.settings.fault
-        if fault.now(FaultKind.CONTROLLER_KILLED, self.time):
-            joints: Floats | None = None
-            delay = np.inf
-        else:
-            joints = nearest(palm_pose @ self.unmount, self.link.goal)
-            if joints is None:
-                self.link.reply(self.time, delay, self.link.goal)
-                return False
+        if any(fault.now(silent, self.time) for silent in (FaultKind.CONTROLLER_KILLED, FaultKind.CONTROLLER_HUNG)):
+            return self.answer(self.time, np.inf, None)
         if fault.now(FaultKind.LATE_REPLY, self.time):
             delay = 0.020
-        self.link.reply(self.time, delay, joints)
+        return self.answer(self.time, delay, palm_pose)
+
+    def answer(self, asked: float, delay: float, palm_pose: Floats | None) -> bool:
+        """To the request made at a time (s), ``delay`` (s) later, None if it never came; whether the arm can reach it."""
+        joints = None if palm_pose is None else nearest(palm_pose @ self.unmount, self.link.goal)
+        reachable = palm_pose is None or joints is not None
+        self.link.reply(asked, delay, joints if reachable else self.link.goal)
         if self.link.interrupted:
             self.stopped = "the reply to the arm was late"
-        return True
+        return reachable
+
+    def hold(self, why: str) -> None:
+        """Stop the arm where it is and leave the hand as it is, for good."""
+        self.stopped = self.stopped or why
+        self.link.hold()
 
     def tick(self) -> None:
         """One servo tick and one step of physics."""
         data, now = self.data, self.time
-        self.camera.expose(now)
+        if self.eye is None:
+            self.camera.expose(now, self._frame)
         felt = self._feel(now)
         self.reflex = reflex_step(self.reflex, felt, self.order, self.stopped is not None, STEP)
         if not self.trace or self.trace[-1][1] is not self.reflex.owner:

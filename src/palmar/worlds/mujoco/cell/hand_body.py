@@ -44,12 +44,13 @@ def _finger(hand: SalisburyHand, k: int) -> str:
         f' damping="0.002"/>'
         for j in range(3)
     ]
-    link = f'type="capsule" size="{hand.link_radius}" class="hand"'
+    link = f'type="capsule" size="{hand.link_radius}"'
     masses = hand.finger_masses
     return f"""<body name="finger_{k}" pos="{_at(hand, k, hand.base_circle)} 0" euler="0 0 {hand.bases[k] % (2 * pi)}">
     {joints[0]}<inertial pos="0 0 0" mass="0.01" diaginertia="1e-6 1e-6 1e-6"/>
-    <body name="proximal_{k}">{joints[1]}<geom name="proximal_{k}" fromto="0 0 0 0 0 {near}" mass="{masses[0]}" {link}/>
+    <body name="proximal_{k}">{joints[1]}
+    <geom name="proximal_{k}" class="hand" fromto="0 0 0 0 0 {near}" mass="{masses[0]}" {link}/>
     <body name="distal_{k}" pos="0 0 {near}">{joints[2]}
-    <geom name="distal_{k}" fromto="0 0 0 0 0 {far}" mass="{0.8 * masses[1]}" {link}/>
+    <geom name="distal_{k}" class="distal" fromto="0 0 0 0 0 {far}" mass="{0.8 * masses[1]}" {link}/>
     <geom name="tip_{k}" type="sphere" pos="0 0 {far}" size="{hand.tip_radius}" mass="{0.2 * masses[1]}" class="tip"/>
     <site name="tip_{k}" pos="0 0 {far}" size="0.001"/></body></body></body>"""

@@ -16,7 +16,7 @@ FAR, HELD, DRIFT = 0.095, 2.0, 0.010
 """Success: carried so far (m) for so long (s) without moving so much (m) in the hand."""
 TOPPLED = 0.5
 """Tilt (rad)."""
-TABLE_FORCE, OBJECT_FORCE, FASTEST, CREEP = 60.0, 250.0, 0.8, 0.01
+TABLE_FORCE, OBJECT_FORCE, FASTEST, CREEP = 60.0, 150.0, 0.8, 0.01
 """Unsafe above: force (N) on the table, on the object; speed (m/s) of the palm; speed (m/s) at the end."""
 
 
@@ -53,26 +53,26 @@ class Judge:
             self.since, self.mark = self.cell.time, in_hand
         if self.since is not None:
             self.longest = max(self.longest, self.cell.time - self.since)
-        self._forces()
-
-    def _forces(self) -> None:
-        data, force = self.cell.data, np.zeros(6)
-        table = thing = 0.0
-        for i, (one, other) in enumerate(data.contact.geom):
-            if self.thing in (one, other) and self.table in (one, other):
-                continue
-            mujoco.mj_contactForce(self.cell.model, data, i, force)
-            if self.table in (one, other):
-                table += float(force[0])
-            else:
-                thing += float(force[0])
-        self.table_force, self.object_force = max(self.table_force, table), max(self.object_force, thing)
-        if table > TABLE_FORCE:
-            self.faults.add(f"pressed the table with more than {TABLE_FORCE:g} N")
-        if thing > OBJECT_FORCE:
-            self.faults.add(f"pressed the object with more than {OBJECT_FORCE:g} N")
         if self.speed > FASTEST:
             self.faults.add(f"moved faster than {FASTEST:g} m/s")
+
+    def feel(self) -> None:
+        """Take note of the contact forces of the last servo tick: what the hand presses the table and the object with."""
+        data = self.cell.data
+        touching = data.contact.geom == self.thing
+        on_thing, on_table = touching.any(axis=1), (data.contact.geom == self.table).any(axis=1)
+        if not (data.contact.efc_address >= 0).any():
+            return
+        normal = np.where(data.contact.efc_address >= 0, data.efc_force[data.contact.efc_address], 0.0)
+        self.table_force = max(self.table_force, float(normal[on_table & ~on_thing].sum()))
+        self.object_force = max(self.object_force, float(normal[on_thing & ~on_table].sum()))
+
+    def weigh(self) -> None:
+        """Whether any of those forces was unsafe."""
+        if self.table_force > TABLE_FORCE:
+            self.faults.add(f"pressed the table with more than {TABLE_FORCE:g} N")
+        if self.object_force > OBJECT_FORCE:
+            self.faults.add(f"pressed the object with more than {OBJECT_FORCE:g} N")
 
     @property
     def speed(self) -> float:

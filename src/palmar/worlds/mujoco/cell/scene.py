@@ -1,11 +1,13 @@
 """The cell as a MuJoCo scene: arm, hand, and a cylinder that stands on a table or hangs from a counterweighted bar.
 
-World frame = the arm's base frame. The hand touches the cylinder and the table; fingers do not touch each other. Nothing is
-ever attached: what holds the cylinder is friction. The bar hangs in its middle from a ceiling point about which it turns
+World frame = the arm's base frame. The hand touches the cylinder and the table, and fingers touch each other. Nothing
+is ever attached: what holds the cylinder is friction. The bar hangs in its middle from a ceiling point about which it turns
 and tilts; the thread at its end is taut or slack, it only pulls. Its counterweight balances the cylinder.
 """
 
 from __future__ import annotations
+
+from math import atan2, cos, degrees, pi, sin
 
 from palmar.models.cell_task import TABLE_TOP, CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
@@ -18,7 +20,11 @@ THREAD, BAR = 0.50, 0.40
 """Length (m) of the thread; half length of the bar."""
 PADDING = 0.015
 """Time (s) in which the palm's rubber gives way: it softens what the moving arm does to a standing cylinder."""
-OBJECT, TABLE, HAND = 1, 2, 4
+EYE_DISTANCE, EYE_DOWN, EYE_FIELD = 0.70, 0.55, 0.07
+"""Of the camera from the cylinder's place (m); how far down it looks (rad); what it sees around the cylinder (m)."""
+EYE_TURN = {TaskKind.TABLE: 0.5 * pi, TaskKind.FLOATING: 0.6, TaskKind.ALIGN: 0.6}
+"""Where it stands about the cylinder, from x toward y (rad)."""
+OBJECT, TABLE, HAND, FINGER = 1, 2, 4, 8
 """Collision bits."""
 
 
@@ -38,7 +44,7 @@ def cell_xml(hand: SalisburyHand, task: CellTask) -> str:
     <geom name="floor" type="plane" pos="0 0 -0.6718" size="2 2 0.1" class="seen" rgba="0.86 0.87 0.88 1"/>
     {"" if floating else _table()}{puma_body(hand_body(hand))}{_cylinder(task)}{_bar(task) if floating else ""}
     <camera name="film" pos="{x + 0.66} {y - 1.05} {z + (0.35 if floating else 0.45)}" fovy="{34 if floating else 30}"
-    xyaxes="0.80 0.60 0 -0.17 0.23 0.96"/>
+    xyaxes="0.80 0.60 0 -0.17 0.23 0.96"/>{_eye(task)}
     </worldbody>{_thread() if floating else ""}<actuator>{motors}</actuator>
     <sensor><touch site="pad_0"/><touch site="pad_1"/></sensor></mujoco>"""
 
@@ -47,17 +53,35 @@ def _classes(task: CellTask) -> str:
     friction = task.cylinder.friction_hand
     rub = f'friction="{friction} 0.005 0.0001" condim="4" solref="0.004 1" solimp="0.95 0.99 0.0005"'
     touch = f'contype="{HAND}" conaffinity="{OBJECT | TABLE}" {rub} priority="1"'
+    meet = f'contype="{HAND | FINGER}" conaffinity="{OBJECT | TABLE | FINGER}" {rub} priority="1"'
     return f"""<geom density="0"/>
     <default class="seen"><geom contype="0" conaffinity="0"/></default>
     <default class="arm"><geom {touch} rgba="0.55 0.60 0.68 1"/></default>
     <default class="hand"><geom {touch} rgba="0.30 0.32 0.36 1"/></default>
-    <default class="tip"><geom {touch} rgba="0.90 0.62 0.0 1"/></default>
+    <default class="distal"><geom {meet} rgba="0.30 0.32 0.36 1"/></default>
+    <default class="tip"><geom {meet} rgba="0.90 0.62 0.0 1"/></default>
     <default class="palm"><geom {touch.replace("0.004 1", f"{PADDING} 1")} rgba="0.0 0.45 0.70 1"/></default>"""
 
 
 def _table() -> str:
     return f"""<geom name="table" type="plane" pos="0.5 0 {TABLE_TOP}" size="0.35 0.45 0.05" contype="{TABLE}"
     conaffinity="{OBJECT | HAND}" friction="0 0 0" solref="0.004 1" rgba="0.80 0.74 0.64 1"/>"""
+
+
+def _eye(task: CellTask) -> str:
+    """The camera of vision, where neither the open hand nor the arm comes between: it looks down from aside.
+
+    A hand from above has the gap between two fingers toward y; one that comes along x is behind the cylinder, and so is
+    the pedestal unless the camera is turned away from it.
+    """
+    turn = EYE_TURN[task.kind]
+    cosine, sine, out, up = cos(turn), sin(turn), cos(EYE_DOWN), sin(EYE_DOWN)
+    x, y, z = (
+        there + EYE_DISTANCE * way for there, way in zip(task.place, (out * cosine, out * sine, up), strict=True)
+    )
+    fovy = 2.0 * atan2(EYE_FIELD + 0.5 * task.cylinder.height, EYE_DISTANCE)
+    return f"""<camera name="eye" pos="{x} {y} {z}" fovy="{degrees(fovy)}"
+    xyaxes="{-sine} {cosine} 0 {-up * cosine} {-up * sine} {out}"/>"""
 
 
 def _cylinder(task: CellTask) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from palmar.errors import InputError
 from palmar.worlds.cell.faults import Fault
-from palmar.worlds.cell.pose_camera import CameraSettings
+from palmar.worlds.cell.timed_camera import CameraSettings
 
 ARM_STIFFNESS = (3000.0, 8000.0, 2500.0, 400.0, 400.0, 300.0)
 """Of the arm's joint servos (N m/rad)."""

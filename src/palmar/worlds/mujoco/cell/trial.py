@@ -9,12 +9,12 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from palmar.behaviours.cell.floating_catch import FloatingCatch
 from palmar.behaviours.cell.sightings import OLDEST
-from palmar.behaviours.cell.table_pick import TablePick
-from palmar.models.cell_messages import CellEnd, CellOrder, Eye
+from palmar.behaviours.cell.tasks import programme_for
+from palmar.models.cell_messages import CellEnd, CellOrder, Eye, Sighting
 from palmar.models.cell_task import CellTask, TaskKind
 from palmar.models.salisbury_hand import SalisburyHand
+from palmar.worlds.cell.timed_camera import Sight
 from palmar.worlds.mujoco.cell.cell import Cell
 from palmar.worlds.mujoco.cell.judge import CREEP, TOPPLED, Judge
 from palmar.worlds.mujoco.cell.settings import CellSettings
@@ -26,6 +26,14 @@ LONGEST = 40.0
 """A trial that has not ended after this (s) never will."""
 AFTERWARDS = 0.3
 """How long (s) the cell is watched after its end."""
+BY_ITSELF = (
+    CellEnd.STOPPED,
+    CellEnd.NO_FRESH_SIGHTING,
+    CellEnd.SENSOR_FAULT,
+    CellEnd.OUT_OF_REACH,
+    CellEnd.WOULD_TOPPLE,
+)
+"""Ends that say why there was no success."""
 DOWN = np.diag([1.0, -1.0, -1.0])
 AHEAD = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
 """Rotations of the hand frame: palm down, palm forward with the cylinder's axis along the hand's x."""
@@ -69,13 +77,6 @@ def start_pose(hand: SalisburyHand, task: CellTask, turn: float = 0.0) -> Floats
     return pose
 
 
-def behaviour_for(hand: SalisburyHand, task: CellTask, error: float) -> TablePick | FloatingCatch:
-    """The behaviour of a task; ``error`` (m) bounds vision's systematic error."""
-    if task.kind is TaskKind.TABLE:
-        return TablePick(hand, task.place[2] + 0.5 * task.cylinder.height, error)
-    return FloatingCatch(hand, task.place[2], align=task.kind is TaskKind.ALIGN)
-
-
 def run_trial(
     hand: SalisburyHand,
     task: CellTask,
@@ -83,47 +84,51 @@ def run_trial(
     error: float = 0.0,
     watch: Callable[[Cell], None] | None = None,
     eye: Eye | None = None,
+    sight: Sight | None = None,
 ) -> TrialResult:
-    """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``: None, the simulated camera."""
+    """Carry out one trial; ``watch`` is called at every request of the arm; ``eye``, ``sight``: as the cell's."""
     began = perf_counter()
-    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye)
-    behaviour, judge = behaviour_for(hand, task, error), Judge(cell)
-    state = behaviour.begin(cell.pose, 0.0)
+    cell = Cell(hand, task, settings, start_pose(hand, task, settings.turn), eye, sight)
+    programme, judge = programme_for(hand, task, error, cell.pose), Judge(cell)
     end: CellEnd | None = None
-    left, phases = int(AFTERWARDS / 0.028), [(0.0, state.phase.value)]
+    left, phases = int(AFTERWARDS / 0.028), [(0.0, programme.state.phase.value)]
     while cell.time < LONGEST and left > 0:
         if end is None or end is CellEnd.HOLDS:
-            before = state.path.pose
-            state, order = behaviour.step(state, cell.seen())  # type: ignore[arg-type]
+            before = programme.state.path.pose
+            order = programme.step(cell.seen())
             cell.order = order.hand
-            _check_sight(cell, judge, order, before)
+            check_sight(judge, order, before, cell.sighting, cell.time)
             end = order.end
             if order.why != phases[-1][1]:
                 phases.append((cell.time, order.why))
         left -= end is not None
-        if not cell.reply(state.path.pose):
+        if end is not None and end is not CellEnd.HOLDS:
+            cell.stopped = cell.stopped or end.value  # a hand that still closes stops
+        if not cell.reply(programme.state.path.pose):
             end = CellEnd.OUT_OF_REACH
         for _ in range(TICKS):
             cell.tick()
+            judge.feel()
         judge.look()
         if watch is not None:
             watch(cell)
-    return _result(cell, judge, end, state.approaches, phases, perf_counter() - began)
+    return result_of(cell, judge, end, programme.state.approaches, phases, perf_counter() - began)
 
 
-def _check_sight(cell: Cell, judge: Judge, order: CellOrder, before: Floats) -> None:
-    """The arm must not move by vision without a fresh sighting."""
-    latest = cell.sighting
+def check_sight(judge: Judge, order: CellOrder, before: Floats, latest: Sighting | None, now: float) -> None:
+    """The arm must not move by vision without a sighting that is fresh at a time (s); ``before``: its last set-point."""
     moved = float(np.abs(order.palm_pose - before).max()) > 1e-9
-    if order.guided and moved and (latest is None or cell.time - latest.stamp_s > OLDEST + 0.028):
+    if order.guided and moved and (latest is None or now - latest.stamp_s > OLDEST + 0.028):
         judge.faults.add("moved by a stale sighting")
 
 
-def _result(
+def result_of(
     cell: Cell, judge: Judge, end: CellEnd | None, approaches: int, phases: list[tuple[float, str]], wall: float
 ) -> TrialResult:
+    """What came of a trial that took ``wall`` seconds."""
     if end is None:
         judge.faults.add("never ended")
+    judge.weigh()
     if judge.speed > CREEP:
         judge.faults.add("moved after its end")
     bias = cell.settings.camera.bias
@@ -148,7 +153,7 @@ def _why(judge: Judge, end: CellEnd | None) -> str:
     """Why a trial was no success, for people."""
     if end is None:
         return "timeout"
-    if end in (CellEnd.STOPPED, CellEnd.NO_FRESH_SIGHTING, CellEnd.SENSOR_FAULT, CellEnd.OUT_OF_REACH):
+    if end in BY_ITSELF:
         return str(end.value)
     if end in (CellEnd.LOST_GRIP, CellEnd.HOLDS):
         return "slipped"

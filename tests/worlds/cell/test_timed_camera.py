@@ -1,20 +1,23 @@
-"""The simulated camera's statistics, and its faults."""
+"""When sightings come, what the simulated ones err by, and the camera's faults."""
 
 import numpy as np
 import pytest
 
 from palmar.errors import InputError
+from palmar.models.cell_messages import Sighting
 from palmar.worlds.cell.faults import Fault, FaultKind
-from palmar.worlds.cell.pose_camera import CameraSettings, PoseCamera
+from palmar.worlds.cell.pose_camera import PoseCamera
+from palmar.worlds.cell.timed_camera import CameraSettings, TimedCamera
 
 
 def watch(
     settings: CameraSettings, fault: FaultKind = FaultKind.NONE, seconds: float = 60.0
 ) -> list[tuple[float, ...]]:
-    camera = PoseCamera(settings, lambda: (0.5, -0.1, 0.03), np.random.default_rng(1), Fault(fault, 1.0))
+    random = np.random.default_rng(1)
+    pose, camera = PoseCamera(settings, random), TimedCamera(settings, random, Fault(fault, 1.0))
     found: list[tuple[float, ...]] = []
     for k in range(int(1000 * seconds)):
-        camera.expose(k * 1e-3)
+        camera.expose(k * 1e-3, lambda now: pose.sight(now, 0.5, -0.1, 0.03))
         seen = camera.look(k * 1e-3)
         if seen is not None and (not found or seen.stamp_s > found[-1][1]):
             found.append((k * 1e-3, seen.stamp_s, seen.x_m, seen.y_m, seen.radius_m))
@@ -44,3 +47,14 @@ def test_faults_show(fault):
 def test_a_camera_without_frames_is_refused():
     with pytest.raises(InputError, match="the rate must be positive"):
         CameraSettings(rate=0.0)
+
+
+def test_where_nothing_is_seen_nothing_is_sent_and_the_last_sighting_grows_old():
+    settings = CameraSettings(dropped=0.0)
+    camera = TimedCamera(settings, np.random.default_rng(2))
+    for k in range(1000):
+        camera.expose(k * 1e-3, lambda now: Sighting(now, 0.5, 0.0, 0.03, 1e-3) if now < 0.5 else None)
+        camera.look(k * 1e-3)
+    seen = camera.look(2.0)
+    assert seen is not None
+    assert seen.stamp_s == pytest.approx(0.5, abs=1.0 / settings.rate)

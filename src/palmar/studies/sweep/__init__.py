@@ -1,0 +1,1 @@
+"""Sweeps: from one case to millions of rows, in shards that survive being killed."""
