@@ -7,6 +7,7 @@
     python3 dev.py docs     the documentation, as HTML
     python3 dev.py bench    the benchmarks
     python3 dev.py validate WHAT   a long hunt: one of validation/*.py, its figures go into docs/results
+    python3 dev.py web      the studio's page, from its sources (needs node 20.19 or newer; users do not need it)
     python3 dev.py lock     the requirement lock, anew
     python3 dev.py setup    only the environment (.venv); every other command does this by itself
 
@@ -106,6 +107,16 @@ def validate(*words: str) -> None:
     call(PYTHON, f"validation/{words[0]}.py", *words[1:])
 
 
+def web() -> None:
+    """The bundle in faces/studio/static, by the packages that the lock beside the sources names."""
+    npm = shutil.which("npm")
+    if npm is None:
+        stop("needs node 20.19 or newer and npm (the built page is in the repository, only changing it needs them)")
+    sources = ROOT / "src" / "palmar" / "faces" / "studio" / "web"
+    call(npm, "--prefix", sources, "ci", "--ignore-scripts", "--no-progress")
+    call(npm, "--prefix", sources, "run", "build")
+
+
 def lock() -> None:
     groups = [word for group in GROUPS for word in ("--group", group)]
     call(
@@ -115,7 +126,8 @@ def lock() -> None:
 
 
 COMMANDS = {
-    "run": run, "test": test, "lint": lint, "docs": docs, "bench": bench, "validate": validate, "lock": lock, "setup": None,
+    "run": run, "test": test, "lint": lint, "docs": docs, "bench": bench, "validate": validate, "web": web, "lock": lock,
+    "setup": None,
 }  # fmt: skip
 TAKE_WORDS = ("run", "test", "bench", "validate")
 
@@ -124,7 +136,8 @@ def main(words: list[str]) -> None:
     if not words or words[0] not in COMMANDS or (words[1:] and words[0] not in TAKE_WORDS):
         print(__doc__, file=sys.stderr)
         sys.exit(0 if words in (["-h"], ["--help"]) else 2)
-    setup()
+    if words[0] != "web":
+        setup()
     command = COMMANDS[words[0]]
     if command is not None:
         command(*words[1:])

@@ -1,11 +1,14 @@
-"""The requirement lock names hashes and no address, and pins what the project asks for."""
+"""The locks name hashes and no address, and pin what the project asks for."""
 
+import json
 import re
 import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 LOCK = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+
+WEB = ROOT / "src" / "palmar" / "faces" / "studio" / "web"
 
 
 def test_lock_has_hashes_and_no_address():
@@ -22,3 +25,18 @@ def test_every_direct_requirement_is_pinned_and_the_build_backend_too():
     for requirement in wanted:
         name = re.split(r"[<>=!~\[ ;]", requirement)[0]
         assert re.search(rf"^{name}==", LOCK, re.MULTILINE), name
+
+
+def test_lock_of_the_page_has_hashes_and_no_address():
+    text = (WEB / "package-lock.json").read_text(encoding="utf-8")
+    assert '"resolved"' not in text
+    packages = {name: each for name, each in json.loads(text)["packages"].items() if name}
+    assert {"node_modules/react", "node_modules/react-dom"} <= packages.keys()
+    assert [name for name, each in packages.items() if not each.get("integrity", "").startswith("sha512-")] == []
+
+
+def test_page_needs_react_alone_at_run_time():
+    assert json.loads((WEB / "package.json").read_text(encoding="utf-8"))["dependencies"].keys() == {
+        "react",
+        "react-dom",
+    }

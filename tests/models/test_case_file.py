@@ -145,6 +145,7 @@ WRONG = {
     SMALLEST + "[moon]\n": "unknown section",
     SMALLEST + '[support]\nkind = "moon"\n': "must be one of 'table' or 'free'",
     SMALLEST + '[contact]\nfriction = "0.8..0.2"\n': "the lower end of a range comes first",
+    SMALLEST + '[contact]\nfriction = "0..1e400"\n': "both ends of a range must be finite",
     SMALLEST + '[contact]\nfriction = "-0.8..0.2"\n': "must be at least 0",
     SMALLEST + "[contact]\nrestitution = 1.5\n": "contact.restitution = 1.5: must be at most 1",
     SMALLEST + "[start]\nat_mm = [1, 2, 3]\n": "start.at_mm = [1, 2, 3]: needs at most 2 entries, has 3",

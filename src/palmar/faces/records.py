@@ -90,18 +90,31 @@ def sizing_record(result: Sizing) -> dict[str, Any]:
 
 def region_record(region: Region, *, from_object: bool = False) -> dict[str, Any]:
     """`palmar region CASE --json`; with ``from_object`` the sets hold hand positions relative to the object."""
-    sets = {"centre": region.centre, "contact": region.contact, "whole": region.whole}
     view = seen_from_object if from_object else (lambda given: given)
+    return {
+        **{name: coordinates(view(each)) for name, each in region_sets(region).items()},
+        **region_facts(region, from_object=from_object),
+    }
+
+
+def region_sets(region: Region) -> dict[str, MultiPolygon]:
+    """The sets (m) a region consists of, by their names in the record."""
+    sets = {"centre": region.centre, "contact": region.contact, "whole": region.whole}
+    sides = {"outer": region.outer, "certain": region.certain}
+    return sets | {name: each for name, each in sides.items() if each is not None}
+
+
+def region_facts(region: Region, *, from_object: bool = False) -> dict[str, Any]:
+    """A region's record without its sets."""
     return {
         "model": region.model.value,
         "closure": region.closure.value,
         "guarantee": region.guarantee.value,
         "frame": "object" if from_object else "hand",
-        **{name: coordinates(view(each)) for name, each in sets.items()},
         "area_m2": region.area,
         "allowed_error": _circle(region.allowed_error, from_object),
-        **({} if region.outer is None else {"outer": coordinates(view(region.outer)), "band_m2": region.band}),
-        **({} if region.certain is None else _simulated(region, view(region.certain))),
+        **({} if region.outer is None else {"band_m2": region.band}),
+        **({} if region.certain is None else _simulated(region, region.certain)),
         **({} if region.resting is None else {"resting_m": region.resting}),
         "flattening_m": region.flattening,
         "reason": region.reason,
@@ -137,7 +150,6 @@ def comparison_record(result: Comparison) -> dict[str, Any]:
 
 def _simulated(region: Region, certain: MultiPolygon) -> dict[str, Any]:
     return {
-        "certain": coordinates(certain),
         "certain_area_m2": float(certain.area),
         "theta_rad": list(region.orientations or ()),
         "spacing_m": region.spacing,

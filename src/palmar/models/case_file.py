@@ -6,6 +6,7 @@ import difflib
 import json
 import re
 import tomllib
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -78,20 +79,33 @@ def build_case(raw: dict[str, Any], name: str = "case") -> Case:
 
 def dump_case(case: Case) -> str:
     """TOML text that ``parse_case`` reads back as the same case."""
+    return dump_tables(case_tables(case))
+
+
+def dump_tables(tables: dict[str, dict[str, Any]]) -> str:
+    """TOML text of a case's tables."""
+    sections = [
+        "\n".join([f"[{name}]", *(f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in table.items())])
+        for name, table in tables.items()
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def case_tables(case: Case) -> dict[str, dict[str, Any]]:
+    """The tables that ``build_case`` reads back as the same case; what is absent is left out."""
     ranges = {each.place: each for each in case.ranges}
-    sections = []
+    tables: dict[str, dict[str, Any]] = {}
     for section in _SECTIONS:
         part: Value = getattr(case, section)
         if part == Bed():
             continue  # few cases are about a test bed
-        lines = [f"[{section}]"]
-        for name, field in type(part).model_fields.items():
-            value = part.model_dump(mode="json")[name]
-            if value is not None:
-                written = _to_file(value, unit_of(field), (section, name), ranges)
-                lines.append(f"{file_key(name, field)} = {json.dumps(written, ensure_ascii=False)}")
-        sections.append("\n".join(lines))
-    return "\n\n".join(sections) + "\n"
+        values = part.model_dump(mode="json")
+        tables[section] = {
+            file_key(name, field): _to_file(values[name], unit_of(field), (section, name), ranges)
+            for name, field in type(part).model_fields.items()
+            if values[name] is not None
+        }
+    return tables
 
 
 def _text(path: Path) -> str:
@@ -187,6 +201,8 @@ def _to_si(value: Any, unit: Unit | None, place: tuple[str | int, ...], where: s
         return [_to_si(item, unit, (*place, i), f"{where}[{i}]", found) for i, item in enumerate(value)]
     if isinstance(value, str) and (match := _RANGE.fullmatch(value)):
         low, high = (_scaled(float(end), unit) for end in match.groups())
+        if not isfinite(low) or not isfinite(high):
+            raise InputError(where, json.dumps(value), "both ends of a range must be finite numbers")
         if not low <= high:
             raise InputError(where, json.dumps(value), "the lower end of a range comes first")
         found.append(Range(place=place, low=low, high=high))

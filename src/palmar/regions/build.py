@@ -58,6 +58,19 @@ def build_region(
     return exact_region(case, closure, tolerance, orientations, tolerance)
 
 
+def takes_milliseconds(case: Case, model: Model, closure: Closure) -> bool:
+    """Whether ``build_region`` evaluates closed forms, a construction on a table, or nothing as it covers nothing."""
+    if case.support.kind is SupportKind.FREE:
+        return False
+    if model is not Model.EXACT:
+        return True
+    if case.behaviour.name is not BehaviourName.CLOSE or case.support.wall is not None:
+        return False
+    from palmar.regions.exact import in_closed_form
+
+    return in_closed_form(case, closure)
+
+
 def _jointed_region(case: Case, closure: Closure, tolerance: float | None) -> Region:
     if case.support.kind is SupportKind.FREE:
         from palmar.regions.captured import captured_region

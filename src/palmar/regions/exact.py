@@ -58,6 +58,12 @@ def exact_region(
     return replace(region, notes=(*region.notes, *kept))
 
 
+def in_closed_form(case: Case, closure: Closure) -> bool:
+    """Whether ``exact_region`` of a case that it covers is in closed form: a disk under centred pressure, plain numbers."""
+    settled = settle(case, closure)
+    return not settled.ranges and _is_centred_disk(settled)
+
+
 def _is_centred_disk(case: Case) -> bool:
     off = case.support.pressure_centre != (0.0, 0.0) or any(each.place[:2] == PRESSURE_CENTRE for each in case.ranges)
     return isinstance(case.object, Disk) and not off

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, isnan, tan
 from typing import TYPE_CHECKING
 
@@ -90,15 +90,21 @@ def closure_answer(case: Case) -> ClosureAnswer:
     The ends suffice for a disk and crossing fingers: for a given radius the hand dimensions that hold it form a convex
     set, and a larger friction angle only adds to it.
     """
+    found = closure_verdict(case)
+    changes = () if case.ranges else tuple(_changes(case, found.object))
+    return replace(found, changes=changes, slopes=tuple(_slopes(case)))
+
+
+def closure_verdict(case: Case) -> ClosureAnswer:
+    """``closure_answer`` without changes and slopes, which take longer."""
     corners = [_corner(each) for each in case.corners()]
     nominal = corners[0] if len(corners) == 1 else _corner(case.model_copy(update={"ranges": ()}))
-    verdict = _joined(corners, nominal)
     return ClosureAnswer(
         structural=_common([each.structural for each in corners]),
         frictional=_common([each.frictional for each in corners]),
-        object=verdict,
-        changes=() if case.ranges else tuple(_changes(case, verdict)),
-        slopes=tuple(_slopes(case)),
+        object=_joined(corners, nominal),
+        changes=(),
+        slopes=(),
         polygon=nominal.polygon,
         notes=tuple(_notes(case)),
     )

@@ -33,6 +33,7 @@ for name, summary in {
     "identify": "Friction and pressure from recorded pushes.",
     "sweep": "One case made millions: a table of answers in Parquet files, and questions to it.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",
+    "studio": "See the hand, drag it, and know what it catches: a web page.",
     "cases": "The shipped cases, or one of them printed.",
     "figures": "Every figure of the source's chapters, drawn anew.",
 }.items():

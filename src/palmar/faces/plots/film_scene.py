@@ -18,6 +18,7 @@ from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.models.outcome import Outcome
 from palmar.studies.simulate import Simulation, film
+from palmar.worlds.planar.table import Trace
 
 Floats = NDArray[np.float64]
 Place = tuple[float, float]
@@ -156,13 +157,16 @@ def split(joints: Sequence[float]) -> Fingers:
     return tuple(joints[:half]), tuple(joints[half:])
 
 
-def scene(case: Case, start: tuple[float, ...], result: Simulation) -> Scene:
-    """The motion from ``start`` (x, y, theta[, vx, vy]) that ``result`` describes, from time 0 to its last event."""
+def scene(case: Case, start: tuple[float, ...], result: Simulation, whole: Trace | None = None) -> Scene:
+    """The motion from ``start`` (x, y, theta[, vx, vy]) that ``result`` describes, from time 0 to its last event.
+
+    ``whole``: its poses, where it was not carried out by the planar kernels.
+    """
     first, rate = case.hand.open, case.hand.finger_rate
     end = result.events[-1][1].psi if result.events else first
     times, poses, fingers = np.array([0.0]), np.array([result.pose]), np.array([[*result.right, *result.left]])
     if result.outcome is not Outcome.INVALID:
-        whole = film(case, start, FRAMES)
+        whole = whole or film(case, start, FRAMES)
         kept = whole.psi < end - 1e-9
         poses = np.vstack((whole.poses[kept], result.pose))
         count = whole.fingers.shape[1] // 2
@@ -170,7 +174,7 @@ def scene(case: Case, start: tuple[float, ...], result: Simulation) -> Scene:
         times = np.append(whole.psi[kept], end) - first
     return Scene(
         case, result.outcome, times / rate, poses, fingers, contacts(case, times + first, poses, fingers, result),
-        tuple((time, _words(event.kind, event.body)) for time, event in result.events), _pace((end - first) / rate),
+        tuple((time, _words(event.kind, event.body)) for time, event in result.events), pace_of((end - first) / rate),
     )  # fmt: skip
 
 
@@ -209,10 +213,10 @@ def _size(case: Case) -> float:
     return item.radius if isinstance(item, Disk) else float(np.linalg.norm(item.vertices, axis=1).max())
 
 
-def _pace(duration: float) -> float:
+def pace_of(duration: float) -> float:
     """1 for motions of a length that is good to watch, else the nearest of 1, 2, 5, 10 ... and their inverses."""
     if duration == 0.0 or SHORTEST <= duration <= LONGEST:
         return 1.0
     rounds = [base * 10.0**power for power in range(10) for base in (1.0, 2.0, 5.0)]
     nice = [*rounds, *(1.0 / each for each in rounds)]
-    return min(nice, key=lambda each: abs(log(each * MIDDLE / duration)))
+    return min(nice, key=lambda each: abs(log(each) + log(MIDDLE) - log(duration)))

@@ -1,0 +1,1 @@
+"""What the page asks, answered part by part in a worker process."""

@@ -1,0 +1,66 @@
+"""The source's figures redone, and the facts of a report."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from palmar.errors import InputError
+from palmar.faces.jointed_record import jointed_record
+from palmar.faces.plots.source_figures import FIGURES
+from palmar.faces.plots.style import encoded
+from palmar.faces.records import closure_record, region_facts
+from palmar.faces.studio.answers.part import Part, Question
+from palmar.models.case import Case
+from palmar.models.quantity import Value
+from palmar.studies.report import report_facts
+
+
+class Shown(Value):
+    """One figure by its number, or the facts about the case; else the list of figures."""
+
+    figure: str | None = None
+    facts: bool = False
+
+
+def experiments(asked: Question) -> Iterator[Part]:
+    """What was asked for."""
+    given = asked.parameters(Shown)
+    if given.facts:
+        yield _facts(asked.required_case)
+    elif given.figure is not None:
+        yield _figure(given.figure)
+    else:
+        known = [{"number": number, "title": title_of(number)} for number in FIGURES]
+        yield Part("list", {"figures": known})
+
+
+def known_figure(number: str) -> str:
+    """The number, if there is such a figure; raises InputError."""
+    if number not in FIGURES:
+        raise InputError("parameters.figure", repr(number[:60]), f"must be one of {', '.join(FIGURES)}")
+    return number
+
+
+def title_of(number: str) -> str:
+    """What a figure shows, in a line."""
+    draw = FIGURES[number]
+    words = str(draw.args[-1]) if isinstance(draw, partial) else str(draw.__doc__).strip().splitlines()[0]
+    return words.removeprefix(f"Figure {number}: ")
+
+
+def _figure(number: str) -> Part:
+    svg = encoded(FIGURES[known_figure(number)]()).decode("utf-8")
+    return Part("figure", {"number": number, "title": title_of(number), "svg": svg})
+
+
+def _facts(case: Case) -> Part:
+    """As ``palmar report``, the regions without their coordinates."""
+    found = report_facts("case", case, lambda step: None)
+    bent = found.jointed
+    value = {
+        "closure": closure_record(found.closure) if bent is None else jointed_record(case.hand, bent),
+        "regions": [region_facts(each) for each in found.regions],
+        "uncovered": found.uncovered,
+    }
+    return Part("facts", value)

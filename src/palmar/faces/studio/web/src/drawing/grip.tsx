@@ -1,0 +1,104 @@
+/** A grip: a point of the drawing that can be dragged with pointer or finger, and moved with the arrow keys. */
+
+import { useRef, type KeyboardEvent, type PointerEvent } from "react";
+import type { Point } from "../case/case_file";
+import { add, minus } from "../case/plane";
+import { toPlane, toScreen, type Size, type View } from "./view";
+
+export interface GripSpec {
+  readonly id: string;
+  /** Where it is (mm). */
+  readonly at: Point;
+  /** What it moves, for people and for screen readers. */
+  readonly label: string;
+  /** Its dimension as a number and in words. */
+  readonly value: number;
+  readonly text: string;
+  readonly look?: "round" | "square" | "diamond";
+  readonly onDrag: (to: Point) => void;
+  /** Arrow keys: steps to the right and up; without it the grip is dragged by that many rounding steps. */
+  readonly onStep?: (across: number, up: number) => void;
+  readonly onRemove?: () => void;
+}
+
+interface GripProps {
+  readonly grip: GripSpec;
+  readonly view: View;
+  readonly size: Size;
+  readonly step: number;
+  readonly onSettle: () => void;
+  readonly onHold: (held: boolean) => void;
+}
+
+const ARROWS: Readonly<Record<string, Point>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+const SHAPES = {
+  round: "M-6 0a6 6 0 1 0 12 0a6 6 0 1 0 -12 0Z",
+  square: "M-5.5-5.5H5.5V5.5H-5.5Z",
+  diamond: "M0-7.5 7.5 0 0 7.5-7.5 0Z",
+};
+
+export function Grip({ grip, view, size, step, onSettle, onHold }: GripProps) {
+  const held = useRef<Point | null>(null);
+  const [x, y] = toScreen(view, size, grip.at);
+
+  const at = (event: PointerEvent<SVGGElement>): Point => {
+    const box = (event.currentTarget.ownerSVGElement as SVGSVGElement).getBoundingClientRect();
+    return toPlane(view, size, [event.clientX - box.left, event.clientY - box.top]);
+  };
+  const down = (event: PointerEvent<SVGGElement>) => {
+    if (event.button !== 0) return;
+    event.stopPropagation();
+    event.currentTarget.setPointerCapture(event.pointerId);
+    held.current = minus(grip.at, at(event));
+    onHold(true);
+  };
+  const move = (event: PointerEvent<SVGGElement>) => {
+    if (held.current) grip.onDrag(add(at(event), held.current));
+  };
+  const up = () => {
+    if (!held.current) return;
+    held.current = null;
+    onHold(false);
+    onSettle();
+  };
+  const key = (event: KeyboardEvent<SVGGElement>) => {
+    const arrow = ARROWS[event.key];
+    if (arrow) {
+      event.preventDefault();
+      const [across, along] = [arrow[0], arrow[1]].map((each) => each * (event.shiftKey ? 10 : 1)) as [number, number];
+      if (grip.onStep) grip.onStep(across, along);
+      else grip.onDrag(add(grip.at, [across * step, along * step]));
+    } else if ((event.key === "Delete" || event.key === "Backspace") && grip.onRemove) {
+      event.preventDefault();
+      grip.onRemove();
+    }
+  };
+  return (
+    <g
+      className="grip"
+      data-grip={grip.id}
+      transform={`translate(${x} ${y})`}
+      tabIndex={0}
+      role="slider"
+      aria-label={grip.label}
+      aria-valuenow={grip.value}
+      aria-valuetext={grip.text}
+      onPointerDown={down}
+      onPointerMove={move}
+      onPointerUp={up}
+      onPointerCancel={up}
+      onKeyDown={key}
+      onKeyUp={(event) => event.key in ARROWS && onSettle()}
+    >
+      <title>{`${grip.label}: ${grip.text}`}</title>
+      <circle className="grip-reach" r={16} />
+      <circle className="grip-focus" r={12} />
+      <path className="grip-mark" d={SHAPES[grip.look ?? "round"]} />
+    </g>
+  );
+}
