@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from palmar.behaviours.cell.arm_path import ArmPath
-from palmar.behaviours.cell.phased import PATIENCE
+from palmar.behaviours.cell.phased import PATIENCE, TIRED
 from palmar.behaviours.cell.sightings import OLDEST
 from palmar.behaviours.cell.table_pick import DRAWN_BACK, Phase, Picking, TablePick
 from palmar.behaviours.cell.tasks import programme_for
@@ -45,6 +45,22 @@ def test_without_fresh_sightings_the_arm_stands_and_then_gives_up(task):
     assert 1.2 + PATIENCE - 0.03 < time < 1.2 + PATIENCE + 0.06
     assert any(did for when, did in moved if 1.0 < when < 1.2)
     assert not any(did for when, did in moved if when > 1.2 + OLDEST)
+
+
+def test_sightings_that_are_hardly_ever_fresh_end_it_at_last():
+    """Each is 0.19 s old when it comes and stale a moment later: the arm moves a little, and stops, again and again."""
+    programme = programme_for(HAND, TABLE_TASK, 0.005, POSE)
+    time, ended, moved, sighting = 0.0, None, 0, None
+    while ended is None and time < 40.0:
+        if round(time / 0.028) % 12 == 0 or time < 1.0:
+            sighting = Sighting(time - (0.03 if time < 1.0 else 0.19), 0.5 + 1e-6 * time, 0.0, 0.03, 1e-3)
+        before = programme.state.path.place
+        order = programme.step(replace(SEEN, time=time, sighting=sighting))
+        moved += float(np.abs(order.palm_pose[:3, 3] - before).max()) > 0.0
+        time, ended = time + 0.028, order.end
+    assert ended is CellEnd.NO_FRESH_SIGHTING
+    assert TIRED < time < TIRED + 2.0
+    assert moved > 20
 
 
 def closing(since: float) -> Picking:

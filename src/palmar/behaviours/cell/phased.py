@@ -20,6 +20,8 @@ from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandOrder
 Floats = NDArray[np.float64]
 PATIENCE = 1.0
 """How long (s) the arm waits for a fresh sighting or the fingers for a grip."""
+TIRED = 15.0
+"""A motion by vision that takes longer (s), because sightings are hardly ever fresh, is given up."""
 GIVEN_WAY = 0.05
 """Curl (rad) by which fingers have closed further when what they held is gone."""
 
@@ -75,6 +77,7 @@ class Phased(ABC, Generic[S]):
         if state.seen.fresh(seen.time):
             return None
         gone = not state.seen.kept or seen.time - state.seen.kept[-1].stamp_s > PATIENCE or state.seen.same > 0
+        gone = gone or seen.time - state.since > TIRED
         return replace(state, path=halt(state.path), end=CellEnd.NO_FRESH_SIGHTING if gone else None)
 
 

@@ -19,8 +19,11 @@ GAIN = 60.0
 """K (1/s)."""
 LEAST_THRESHOLD, SIGMAS = 0.05, 5.0
 """A touch: torque (N m) on joint 2 above the larger of this and so many standard deviations of its noise."""
-SLACK_TIME, SLACK = 0.05, 0.5
-"""A tendon whose reading, averaged over so long (s), is below this share of the pretension is dead."""
+MEAN_TIME, SLACK = 0.05, 0.5
+"""Readings are averaged over so long (s); a tendon whose average is below this share of the pretension is dead.
+
+For that the average is taken over longer where noise would reach so far in SIGMAS standard deviations.
+"""
 
 
 @dataclass
@@ -33,6 +36,8 @@ class FingerSense:
     sum: Floats = field(default_factory=lambda: np.zeros((3, 3)))
     torque: Floats = field(default_factory=lambda: np.zeros((3, 3)))
     mean: Floats = field(init=False)
+    slow_mean: Floats = field(init=False)
+    slack_time: float = field(init=False)
     threshold: float = field(init=False)
     """Of a touch (N m)."""
 
@@ -40,6 +45,9 @@ class FingerSense:
         self.inertia = np.array(self.hand.joint_inertias) + np.array([1e-4, 3e-4, 4e-5])
         self.law = self.hand.tendon_matrix.T.copy()
         self.mean = np.full((3, 4), self.hand.tension_least)
+        self.slow_mean = self.mean.copy()
+        reach = SIGMAS * self.noise / ((1.0 - SLACK) * self.hand.tension_least)
+        self.slack_time = max(MEAN_TIME, 0.5 * self.tick * reach**2)
         spread = self.noise * float(np.linalg.norm(self.hand.tendon_matrix[1])) * (0.5 * GAIN * self.tick) ** 0.5
         self.threshold = max(LEAST_THRESHOLD, SIGMAS * spread)
 
@@ -47,7 +55,8 @@ class FingerSense:
         """One tick: readings (3, 4) in N, joint rates (3, 3), torques (3, 3) in N m that carry the finger's weight."""
         self.sum += self.tick * (readings @ self.law - weight + self.torque)
         self.torque = GAIN * (self.inertia * rates - self.sum)
-        self.mean += self.tick / SLACK_TIME * (readings - self.mean)
+        self.mean += self.tick / MEAN_TIME * (readings - self.mean)
+        self.slow_mean += self.tick / self.slack_time * (readings - self.slow_mean)
 
     @property
     def press(self) -> tuple[float, float, float]:
@@ -64,4 +73,4 @@ class FingerSense:
     @property
     def dead(self) -> bool:
         """Whether a tendon reads slack."""
-        return bool(self.mean.min() < SLACK * self.hand.tension_least)
+        return bool(self.slow_mean.min() < SLACK * self.hand.tension_least)
