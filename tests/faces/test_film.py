@@ -14,7 +14,7 @@ from shapely import LineString, Point, Polygon
 
 from palmar.errors import InputError, OutputError
 from palmar.faces.plots.film import known_ending, write_film
-from palmar.faces.plots.film_scene import scene, ticks
+from palmar.faces.plots.film_scene import pace_of, scene, ticks
 from palmar.faces.plots.hand import finger_points
 from palmar.faces.plots.sheet import Extent
 from palmar.geometry.polygon import turned
@@ -156,6 +156,11 @@ def test_the_pace_suits_the_eye(rate, pace):
     film = scene(*filmed((0.0, 0.12), case=case))
     assert film.pace == pytest.approx(pace)
     assert 3.0 <= film.duration / film.pace <= 10.0
+
+
+@pytest.mark.parametrize("duration", [0.0, 1e-320, 1e300, float("inf")])
+def test_any_duration_has_a_pace(duration):
+    assert 0.0 < pace_of(duration) < float("inf")
 
 
 def test_ticks_are_round_millimetres():

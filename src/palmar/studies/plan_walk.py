@@ -15,6 +15,7 @@ from shapely.geometry.base import BaseGeometry
 from palmar.behaviours.approach import swept
 from palmar.behaviours.policy import Approach, Close, Lost, Policy, seen_turned
 from palmar.mechanics.pushing.closing_case import straight_motion
+from palmar.models.behaviour import Behaviour
 from palmar.models.case import Case
 from palmar.models.objects import Disk
 from palmar.regions.profile import profile
@@ -134,7 +135,9 @@ def _going(case: Case, plan: Plan, approach: Approach, facing: Pose, way: float,
 
 def _closing(case: Case, policy: Close, facing: Pose, at: Pose, thing: Pair, missed: bool) -> Iterator[Moment]:
     fingers = policy.opening, policy.opening
-    opened = case.model_copy(update={"hand": case.hand.model_copy(update={"open": policy.opening})})
+    # A plan closes with the fingers straight, whatever the case's behaviour does.
+    hand = case.hand.model_copy(update={"open": policy.opening})
+    opened = case.model_copy(update={"hand": hand, "behaviour": Behaviour()})
     known = _placed(seen_turned(policy.belief, policy.turn), facing)
     yield from [Moment(at, fingers, thing, known, "placed: closing catches it")] * (GOING // 4)
     if missed:

@@ -80,6 +80,12 @@ def test_a_plan_is_the_command_lines_and_its_belief_shrinks(palmar):
     assert found["moments", "settled"]["moments"][-1]["doing"] == "close"
 
 
+def test_a_plan_closes_straight_whatever_the_behaviour():
+    text = shipped_text("testbed_table") + '[behaviour]\nname = "curl_and_close"\n'
+    (_, moments) = answered(Kind.PLAN, 0, text, {"uncertainty": {"disk_mm": 5}})
+    assert moments.value["moments"][-1]["doing"] == "close"
+
+
 def test_a_hand_of_the_map_can_be_loaded():
     hand = parts(Kind.MAP_HAND, {"distal": 0.25, "proximal": 0.5}, None)["hand", "settled"]
     assert hand["case"]["hand"]["finger_links_mm"] == [125.0, 62.5]

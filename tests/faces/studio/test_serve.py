@@ -146,3 +146,10 @@ def test_an_address_that_is_not_allowed_is_one_line(palmar):
         assert answer.status == 2
         assert said in answer.err
         assert answer.err.count("\n") == 1
+
+
+def test_without_the_extra_it_says_how_to_get_it(palmar, monkeypatch):
+    monkeypatch.setattr("palmar.faces.cli.studio.find_spec", lambda name: None)
+    answer = palmar("studio")
+    assert (answer.status, answer.err.count("\n")) == (2, 1)
+    assert "pip install palmar[studio]" in answer.err

@@ -219,4 +219,4 @@ def pace_of(duration: float) -> float:
         return 1.0
     rounds = [base * 10.0**power for power in range(10) for base in (1.0, 2.0, 5.0)]
     nice = [*rounds, *(1.0 / each for each in rounds)]
-    return min(nice, key=lambda each: abs(log(each * MIDDLE / duration)))
+    return min(nice, key=lambda each: abs(log(each) + log(MIDDLE) - log(duration)))

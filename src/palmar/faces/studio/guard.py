@@ -102,7 +102,8 @@ class Guard:
         (given, *_) = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])
         if scope["type"] == "http" and self.door.is_token(given):
             answer = RedirectResponse(scope["path"], 303)
-            answer.set_cookie(COOKIE, given, httponly=True, samesite="strict")
+            # Lax: a strict cookie would not come along when the address is followed from a message.
+            answer.set_cookie(COOKIE, given, httponly=True, samesite="lax")
             return answer
         return PlainTextResponse("This studio asks for a token; use the address that it printed.\n", 403)
 
