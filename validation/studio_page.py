@@ -50,7 +50,7 @@ WATCH = """
     if (!wanted || !changes.some(each => each.target.dataset && each.target.dataset.region === "centre")) return;
     const {seq, stage} = wanted;
     wanted = null;
-    setTimeout(() => log.redraws.push([seq, stage, performance.now() - asked.get(seq), performance.now()]), 0);
+    requestAnimationFrame(() => setTimeout(() => log.redraws.push([seq, stage, performance.now() - asked.get(seq)]), 0));
   }).observe(document, {subtree: true, attributes: true, attributeFilter: ["d"]});
 })()
 """
@@ -125,7 +125,7 @@ def drag(page: Page, grip: str, seconds: float) -> dict[str, float]:
     page.mouse.up()
     page.wait_for_timeout(1000)
     moves, redraws = page.evaluate("[measured.moves, measured.redraws]")
-    quick = {seq: late for seq, stage, late, _ in reversed(redraws)}
+    quick = {seq: late for seq, _, late in reversed(redraws)}
     lates = np.array(list(quick.values()))
     return {
         "moves a second": moves / took,

@@ -77,7 +77,7 @@ class Studio:
 
     def case(self) -> dict:
         """The case in the address, once that has followed."""
-        self.page.wait_for_timeout(400)
+        self.page.evaluate("new Promise(done => setTimeout(done, 400))")
         found = re.search(r"case=([\w-]+)", self.page.url)
         assert found is not None, self.page.url
         text = found[1] + "=" * (-len(found[1]) % 4)

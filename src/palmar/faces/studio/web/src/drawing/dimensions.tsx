@@ -1,5 +1,6 @@
 /** The dimensions of hand and object in words beside what they measure, where there is room for them. */
 
+import { memo } from "react";
 import type { Point, Shape } from "../case/case_file";
 import { add, length, minus, polar } from "../case/plane";
 import { toScreen, type Size, type View } from "./view";
@@ -18,7 +19,17 @@ const OFF = 17;
 
 const mm = (value: number): string => `${Number(value.toFixed(3))} mm`;
 
-export function Dimensions({ shape, fingers, view, size }: { shape: Shape; fingers: Fingers; view: View; size: Size }) {
+export const Dimensions = memo(function Dimensions({
+  shape,
+  fingers,
+  view,
+  size,
+}: {
+  shape: Shape;
+  fingers: Fingers;
+  view: View;
+  size: Size;
+}) {
   const notes: Note[] = [{ at: [0, 0], words: mm(2 * shape.halfPalm), by: [0, OFF] }];
   fingers.right.slice(1).forEach((to, i) => {
     const from = fingers.right[i] as Point;
@@ -47,4 +58,4 @@ export function Dimensions({ shape, fingers, view, size }: { shape: Shape; finge
       })}
     </g>
   );
-}
+});

@@ -1,6 +1,6 @@
 /** A drawing in millimetres: axes, what is in the plane, what lies over it (grips, labels), and ways to zoom and pan. */
 
-import { useRef, useState, type PointerEvent, type ReactNode } from "react";
+import { useMemo, useRef, useState, type PointerEvent, type ReactNode } from "react";
 import { Axes } from "./axes";
 import { useView } from "./use_view";
 import { GUTTER, planeTransform, type Box, type Size, type View } from "./view";
@@ -27,7 +27,7 @@ export function Drawing({ label, content, frozen = false, plane, over, id }: Dra
   const frame = useRef<SVGSVGElement>(null);
   const { view, size, zoom, pan, fit } = useView(frame, content, frozen);
   const [panning, setPanning] = useState(false);
-  const layer: Layer = { view, size, px: 1 / view.scale };
+  const layer = useMemo<Layer>(() => ({ view, size, px: 1 / view.scale }), [view, size]);
   const down = (event: PointerEvent<SVGSVGElement>) => {
     if (event.button > 1) return;
     event.currentTarget.setPointerCapture(event.pointerId);

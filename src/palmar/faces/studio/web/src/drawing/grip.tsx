@@ -1,6 +1,7 @@
 /** A grip: a point of the drawing that can be dragged with pointer or finger, and moved with the arrow keys. */
 
 import { useRef, type KeyboardEvent, type PointerEvent } from "react";
+import { flushSync } from "react-dom";
 import type { Point } from "../case/case_file";
 import { add, minus } from "../case/plane";
 import { toPlane, toScreen, type Size, type View } from "./view";
@@ -58,7 +59,9 @@ export function Grip({ grip, view, size, step, onSettle, onHold }: GripProps) {
     onHold(true);
   };
   const move = (event: PointerEvent<SVGGElement>) => {
-    if (held.current) grip.onDrag(add(at(event), held.current));
+    const from = held.current;
+    // At once, so that the frame about to be painted shows it, and the question it raises goes out before that.
+    if (from) flushSync(() => grip.onDrag(add(at(event), from)));
   };
   const up = () => {
     if (!held.current) return;

@@ -1,6 +1,6 @@
 /** Export of what is on screen, in the formats of the command line. */
 
-import { useId, useState } from "react";
+import { memo, useId, useState } from "react";
 import { useStudio } from "./studio_context";
 import { exportFile, type ExportWish } from "./download";
 
@@ -10,7 +10,7 @@ export interface Exportable {
 }
 
 /** One choice of what and in which of the server's formats, and a button. */
-export function ExportMenu({ things }: { things: readonly Exportable[] }) {
+export const ExportMenu = memo(function ExportMenu({ things }: { things: readonly Exportable[] }) {
   const id = useId();
   const [chosen, choose] = useState("");
   const [busy, setBusy] = useState(false);
@@ -53,4 +53,4 @@ export function ExportMenu({ things }: { things: readonly Exportable[] }) {
       )}
     </div>
   );
-}
+});

@@ -1,6 +1,6 @@
 /** The one drawing of hand, object and regions, with its grips. */
 
-import { useCallback, useMemo, useState } from "react";
+import { memo, useCallback, useMemo, useState } from "react";
 import type { Look } from "../answers/use_look";
 import { shapeOf, type CaseFile, type Shape } from "../case/case_file";
 import { reach } from "../case/plane";
@@ -80,7 +80,7 @@ interface GripsProps {
   readonly onHold: (held: boolean) => void;
 }
 
-function Grips({ file, layer, onEdit, onSettle, onHold }: GripsProps) {
+const Grips = memo(function Grips({ file, layer, onEdit, onSettle, onHold }: GripsProps) {
   const step = dragStep(layer.view);
   return (
     <g className="grips">
@@ -97,7 +97,7 @@ function Grips({ file, layer, onEdit, onSettle, onHold }: GripsProps) {
       ))}
     </g>
   );
-}
+});
 
 /** The allowed error's radius in words, above its circle. */
 function AllowedError({ look, layer }: { look: Look; layer: Layer }) {

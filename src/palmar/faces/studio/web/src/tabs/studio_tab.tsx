@@ -43,6 +43,7 @@ export function StudioTab() {
   };
   const now = modes[mode] ?? LOOK;
   const things = useMemo<Exportable[]>(() => regionExports(file, models, closure), [file, models, closure]);
+  const exports = useMemo(() => [...now.exports, ...things], [now.exports, things]);
   return (
     <div className="workbench">
       <Panel error={look.error} />
@@ -90,7 +91,7 @@ export function StudioTab() {
           />
         </div>
         <div className="card">
-          <ExportMenu things={[...now.exports, ...things]} />
+          <ExportMenu things={exports} />
         </div>
       </div>
     </div>

@@ -21,7 +21,8 @@ export interface Request {
   readonly channel?: string;
   readonly file?: CaseFile | string;
   readonly parameters?: Readonly<Record<string, unknown>>;
-  readonly onPart: (part: Part) => void;
+  /** `enough`: whether the next request may go out now. */
+  readonly onPart: (part: Part, enough: boolean) => void;
   /** The end, unless a newer request is about to follow: null, or what was wrong. */
   readonly onEnd: (error: string | null) => void;
   /** Whether after this part the next request may go out; without it after the last one. */
@@ -129,8 +130,9 @@ export class Connection {
     if (!channel || !out || out.seq !== frame.seq) return;
     if (frame.error === undefined && frame.part !== "end") {
       const part = frame as Part;
-      out.request.onPart(part);
-      if (out.request.enough?.(part)) channel.free = true;
+      const enough = out.request.enough?.(part) ?? false;
+      out.request.onPart(part, enough);
+      if (enough) channel.free = true;
     }
     if (frame.last) {
       channel.out = null;
