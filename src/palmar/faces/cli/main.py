@@ -31,6 +31,7 @@ for name, summary in {
     "impact": "How hard a finger strikes the object, and what softens that.",
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
+    "design": "The smallest hand for what it is to hold and to tolerate, or why there is none.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",
     "cases": "The shipped cases, or one of them printed.",
     "figures": "Every figure of the source's chapters, drawn anew.",
