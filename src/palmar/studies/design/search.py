@@ -44,7 +44,7 @@ class Search:
 
     def smallest(self, low: float, high: float) -> tuple[float, float] | None:
         """Half palm and finger (m) of the smallest hand that does, not below ``low`` nor above ``high``; None: none does."""
-        within = WITHIN if self.fine else ROUGHLY
+        within, low = WITHIN if self.fine else ROUGHLY, min(low, high)
         above = min(low * (1.0 + within), high)
         while self.best(above)[0] < 0.0:
             if above >= high:

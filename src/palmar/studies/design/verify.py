@@ -23,6 +23,7 @@ from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.outcome import Outcome
 from palmar.studies.design.tolerance import Place, case_of, plan_for
+from palmar.studies.plan import Plan
 from palmar.studies.plan_trial import Errors, try_plan
 from palmar.studies.simulate import simulate_starts
 
@@ -47,13 +48,14 @@ def verify(brief: DesignBrief, hand: Hand, place: Place | None, cases: int, seed
     rng = np.random.default_rng(seed)
     if place is None:
         return _held_polygon(brief, hand, cases, rng) if brief.targets.vertices else _held(brief, hand, cases, rng)
-    group = GROUP if brief.targets.sensors is None else FELT_GROUP
+    felt = None if brief.targets.sensors is None else plan_for(brief, hand)
+    group = GROUP if felt is None else FELT_GROUP
     found = Verification(0, 0)
     for number, size in enumerate(_sizes(cases, group)):
         friction = _drawn(brief.targets.friction, number, rng)
         starts = np.array(place) + _within(brief.targets.error, size, rng)
-        if brief.targets.sensors is not None:
-            lost, what = _lost_by_plan(brief, hand, friction, starts), f"friction {friction:.4g}"
+        if felt is not None:
+            lost, what = _lost_by_plan(brief, hand, felt, friction, starts), f"friction {friction:.4g}"
         else:
             lost, what = _lost(brief, hand, friction, starts, number, rng)
         examples = (*found.examples, *([what] if lost else []))[:5]
@@ -80,9 +82,8 @@ def _lost(
     return int((codes > Outcome.CAGED.code).sum()), what
 
 
-def _lost_by_plan(brief: DesignBrief, hand: Hand, friction: float, starts: Floats) -> int:
+def _lost_by_plan(brief: DesignBrief, hand: Hand, found: Plan, friction: float, starts: Floats) -> int:
     """By the one policy planned for the least friction, at the friction drawn."""
-    found = plan_for(brief, hand)
     assert brief.targets.radii is not None
     case = case_of(brief, hand, Disk(radius=brief.targets.radii[1]), friction)
     errors = Errors(found.doubt.displacement, found.doubt.pose_error)
