@@ -1,6 +1,6 @@
 """The shipped briefs: the answer, 100 000 random cases of each, and the best hand of a coarse grid over all proportions.
 
-    python3 dev.py validate design [CASES [SEED]]
+    python3 dev.py validate design [NAME...] [CASES [SEED]]
 
 For the grid, palm and fingers run over all hands shorter than the answer and up to a twentieth longer. Each is judged as the
 search judges hands, where only the hold counts by the closure kernels: a hand that the search passed over shows as one of
@@ -33,10 +33,10 @@ from palmar.studies.design.design import Design, design, slack
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ("mechanics", "models", "regions", "studies/design")
-FINE, COARSE = 40, 14
+FINE, COARSE = 24, 10
 """Palms and fingers of the grid, for regions in closed form and for simulated ones."""
 LONGER = 1.05
-SHARES = {1: 2001, 2: 401, 3: 12}
+SHARES = {1: 2001, 2: 201, 3: 12}
 """Steps of a link's share of half the hand, by links a finger."""
 
 
@@ -91,7 +91,7 @@ def best_share(brief: DesignBrief, links: int) -> float:
         found = [
             largest_hold(Chain(w, (p, q, 1.0 - w - p - q), alpha))
             for w, p, q in product(share, repeat=3)
-            if w + p + q < 1.0 - 1e-9 and max(w, 1.0 - w - p - q) < 0.34
+            if 1e-9 < 1.0 - w - p - q < 0.26 and w < 0.26 and min(p, q) > 0.2
         ]
         most = max(each.radius for each in found if each is not None)
     return 2.0 * brief.held[1] / most
@@ -142,6 +142,8 @@ def main(words: list[str]) -> None:
         briefs = {f"random {k}": parse_brief(random_brief(rng)) for k in range(count)}
     else:
         cases, seed = (*numbers, *(100_000, 20261127)[len(numbers) :])
+    wanted = [each for each in words if each in briefs]
+    briefs = {name: briefs[name] for name in wanted or briefs}
     log = Log("random" if "random" in words else "shipped", *(numbers or [cases]))
     for k, (name, brief) in enumerate(briefs.items()):
         if name not in log.rows:

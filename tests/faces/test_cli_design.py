@@ -37,9 +37,9 @@ def test_fewest_links(palmar):
 def test_a_picture_with_the_front(palmar, tmp_path):
     brief, picture = tmp_path / "brief.toml", tmp_path / "front.png"
     brief.write_text("[targets]\nradii_mm = 40\nerror_mm = 30\n[limits]\nmargin = 0\nlinks = [1]\n")
-    answer = palmar("design", brief, "--front", 3, "--out", picture, "--cases", 100, "--json")
-    assert [error for _, error in answer.record["front"]] == pytest.approx([0.0, 0.0225, 0.045])
-    assert answer.record["error_m"] == pytest.approx(0.03, rel=2e-3)
+    answer = palmar("design", brief, "--front", 2, "--out", picture, "--cases", 100, "--json")
+    assert [error for _, error in answer.record["front"]] == pytest.approx([0.0, 0.045])
+    assert answer.record["error_m"] == pytest.approx(0.03, rel=4e-3)
     assert Image.open(picture).size[0] > 1000
 
 

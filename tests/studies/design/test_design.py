@@ -122,9 +122,9 @@ def test_a_brief_that_only_the_search_refuses_is_not_called_proven():
 
 
 def test_the_front_rises():
-    front = design(parse_brief(SMOOTH), cases=100, front=3).front
-    assert [error for _, error in front] == pytest.approx([0.0, 0.0225, 0.045])
-    assert [size for size, _ in front] == pytest.approx([0.16, 0.25, 0.34], rel=2e-3)
+    front = design(parse_brief(SMOOTH), cases=100, front=2).front
+    assert [error for _, error in front] == pytest.approx([0.0, 0.045])
+    assert [size for size, _ in front] == pytest.approx([0.16, 0.34], rel=2e-3)
 
 
 def test_free_tolerance_is_what_is_caught_at_every_restitution():
@@ -136,13 +136,11 @@ def test_free_tolerance_is_what_is_caught_at_every_restitution():
 
 
 def test_a_polygon_to_hold_at_every_orientation():
-    text = (
-        "[targets]\nvertices_mm = [[-30, -20], [30, -20], [30, 20], [-30, 20]]\nfriction = 0.5\n[limits]\nlinks = [1]\n"
-    )
-    found = design(parse_brief(text), cases=1000)
+    square = "[targets]\nvertices_mm = [[-30, -30], [30, -30], [30, 30], [-30, 30]]\nfriction = 0.5\n"
+    found = design(parse_brief(square + "[limits]\nlinks = [1]\npalm_width_mm = 60\n"), cases=500)
     assert found.verification.violations == 0
-    assert found.binds == ("orientations",)
-    assert size_of(found.chosen.hand) < 4.0 * np.hypot(0.03, 0.02) * 1.01
+    assert found.binds == ("orientations", "palm_width_mm")
+    assert size_of(found.chosen.hand) < 4.0 * np.hypot(0.03, 0.03) * 1.01
 
 
 def test_friction_makes_hands_smaller():
