@@ -54,6 +54,14 @@ def test_thick_fingers_hold_just_that_disk(links, alpha):
     assert hold.radius == pytest.approx(0.05, rel=1e-6)
 
 
+def test_no_shorter_thick_hand_of_one_link_holds_it():
+    wrap = Wrap(1, 0.05, 0.05, 0.3, 0.008)
+    least = sum(wrap.shortest(ANY, ANY))
+    half_palm = np.linspace(0.2, 0.8, 4001) * least
+    most = [np.nanmax(wrap.straight_radii(half_palm, size - half_palm).max) for size in (0.999 * least, 1.001 * least)]
+    assert most[0] < 0.05 < most[1]
+
+
 def test_a_wide_palm_asks_for_fingers_that_reach_the_smallest_disk():
     wrap = Wrap(1, 0.01, 0.05, 0.0)
     half_palm, finger = wrap.shortest((0.07, 0.07), ANY)

@@ -16,8 +16,8 @@ from palmar.models.design_brief import Limits
 
 Slack = Callable[[float, float], float]
 """Half palm, finger (m) -> slack."""
-SHARES, NEAR_SHARES, FEWER = 9, 5, 2
-"""Proportions scanned at first, and about the best one of another size; fewer of those that are not refined."""
+SHARES, NEAR_SHARES = 9, 5
+"""Proportions scanned at first, and about the best one of another size."""
 NEAR = 0.12
 STEPS = 9
 """Of the refinement."""
@@ -85,8 +85,7 @@ class Search:
     def _shares(self, least: float, most: float) -> list[float]:
         if most - least < 1e-9:
             return [least]
-        fewer = 0 if self.fine else FEWER
         if self._share is None:
-            return [float(each) for each in np.linspace(least, most, SHARES - fewer)]
+            return [float(each) for each in np.linspace(least, most, SHARES)]
         low, high = max(least, self._share - NEAR), min(most, self._share + NEAR)
-        return [float(each) for each in np.linspace(min(low, most), max(high, least), NEAR_SHARES - fewer)]
+        return [float(each) for each in np.linspace(min(low, most), max(high, least), NEAR_SHARES)]

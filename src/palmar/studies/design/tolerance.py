@@ -33,11 +33,11 @@ from palmar.studies.simulate import simulate_starts
 
 Floats = NDArray[np.float64]
 Place = tuple[float, float]
-RADII, RESTITUTIONS, ORIENTATIONS = 3, 3, 16
+RADII, RESTITUTIONS, ORIENTATIONS = 3, 3, 24
 """Of a range in the search; polygons are turned evenly about the full turn."""
 FLATTENING = 3e-5
 """Of the boundaries of exact regions, in finger lengths."""
-CELLS = 7
+CELLS = 9
 """Steps of the grid across the error's radius."""
 ROOM = 1.3
 """The grid reaches so many of the error asked about to each side; larger errors are not told apart."""

@@ -114,7 +114,7 @@ class Wrap:
 
     def _holds_smallest(self, half_palm: Floats, finger: Floats) -> NDArray[np.bool_]:
         """Whether the smallest disk is held; fingers kept straight reach farthest along the palm."""
-        usable = np.isfinite(finger)
+        usable = np.isfinite(finger) & (finger > self.half_thickness)
         radii = self.straight_radii(half_palm, np.where(usable, finger, 1.0))
         held = usable & (radii.min <= self.smallest * (1.0 + ROUNDING))
         if self.links == 1:
