@@ -32,6 +32,7 @@ for name, summary in {
     "push": "Where a round pusher leaves the object.",
     "identify": "Friction and pressure from recorded pushes.",
     "sweep": "One case made millions: a table of answers in Parquet files, and questions to it.",
+    "design": "The smallest hand for what it is to hold and to tolerate, or why there is none.",
     "report": "One self-contained page with pictures and tables: closure and region of a case.",
     "studio": "See the hand, drag it, and know what it catches: a web page.",
     "cases": "The shipped cases, or one of them printed.",

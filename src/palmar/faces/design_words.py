@@ -1,0 +1,78 @@
+"""The answer of `palmar design` in words; lengths in mm."""
+
+from __future__ import annotations
+
+from palmar.faces.cli.texts import notes, table
+from palmar.faces.words import Row
+from palmar.models.design_brief import DesignBrief
+from palmar.models.hand import Hand
+from palmar.studies.design.design import Design, Option
+
+
+def design_text(name: str, found: Design, *, by_links: bool) -> str:
+    """The hand and what it does, or why there is none; ``by_links``: a row for each number of links, too."""
+    parts = [f"{name}: {brief_words(found.brief)}"]
+    if found.chosen is None or found.chosen.hand is None:
+        last = found.options[-1]
+        proof = "proven by closed forms" if last.proven else "found by a search, not proven"
+        parts.append(f"Impossible, because {last.because} ({proof}).")
+    else:
+        parts.append(table(_rows(found, found.chosen, found.chosen.hand)))
+    if by_links:
+        fewest = found.fewest_links
+        heads: Row = ("links a finger", "smallest hand", "")
+        parts.append(table([heads, *map(_link_row, found.options)]))
+        parts.append("No number of links will do." if fewest is None else f"Fewest links that will do: {fewest}.")
+    if found.front:
+        heads = ("hand, mm", "tolerated error, mm")
+        parts.append(table([heads, *((f"{1e3 * size:.1f}", f"{1e3 * error:.1f}") for size, error in found.front)]))
+    return "\n".join(["\n\n".join(parts), *notes(found.notes)])
+
+
+def brief_words(brief: DesignBrief) -> str:
+    """One line: what is asked for."""
+    targets = brief.targets
+    if targets.radii is not None:
+        low, high = (f"{1e3 * end:.4g}" for end in targets.radii)
+        what = f"disks of radius {low} mm" if low == high else f"disks of radius {low} to {high} mm"
+    else:
+        what = f"a polygon of {len(targets.vertices or ())} corners"
+    low, high = (f"{end:.4g}" for end in targets.friction)
+    rough = f"friction {low}" if low == high else f"friction {low} to {high}"
+    where = "on a table" if targets.support.value == "table" else "floating"
+    if targets.error == 0.0:
+        return f"hold {what}, {rough}"
+    found = f"catch {what} {where}, {rough}, up to {1e3 * targets.error:.4g} mm off"
+    return found if targets.sensors is None else f"{found}, in at most {targets.approaches_max} approaches by touch"
+
+
+def _rows(found: Design, chosen: Option, hand: Hand) -> list[Row]:
+    links = " + ".join(f"{1e3 * each:.2f}" for each in hand.finger_links)
+    rows: list[Row] = [
+        ("palm", f"{1e3 * hand.palm_width:.2f} mm"),
+        ("fingers", f"{links} mm"),
+        ("palm and both fingers", f"{1e3 * (chosen.size or 0.0):.2f} mm"),
+    ]
+    if chosen.least is not None:
+        rows.append(("no hand is shorter than", f"{1e3 * chosen.least:.2f} mm, by closed forms"))
+    if found.error is not None and chosen.place is not None:
+        x, y = (1e3 * each for each in chosen.place)
+        rows.append(("tolerated error", f"{1e3 * found.error:.2f} mm about ({x:.1f}, {y:.1f}) mm"))
+    rows.append(("what binds", ", ".join(found.binds) or "nothing stated"))
+    if found.guarantee is not None:
+        rows.append(("guarantee", f"{found.guarantee.value}: {found.guarantee.meaning}"))
+    if found.verification is not None:
+        rows.append(("tried", f"{found.verification.cases} random cases, {found.verification.violations} lost"))
+    return rows
+
+
+def _link_row(option: Option) -> Row:
+    if option.size is None:
+        return str(option.links), "none", option.because or ""
+    assert option.hand is not None
+    lengths = " + ".join(f"{1e3 * each:.2f}" for each in option.hand.finger_links)
+    return (
+        str(option.links),
+        f"{1e3 * option.size:.2f} mm",
+        f"palm {1e3 * option.hand.palm_width:.2f}, fingers {lengths}",
+    )

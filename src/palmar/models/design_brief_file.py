@@ -1,0 +1,127 @@
+"""The brief's file: TOML in millimetres on one side, a frozen ``DesignBrief`` in SI on the other."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import re
+import tomllib
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from palmar.errors import InputError
+from palmar.models.design_brief import DesignBrief, Limits, Targets
+from palmar.models.explain import explain
+from palmar.models.quantity import Unit, Value, file_key, unit_of
+from palmar.models.sensors import Sensors
+
+LARGEST_FILE = 1_000_000
+PAIRS = ("radii", "friction", "restitution", "palm_width", "finger_length")
+"""Fields that take a number, "low..high", or a list of values whose ends count."""
+_SECTIONS: dict[str, type[Value]] = {"targets": Targets, "limits": Limits}
+_FOLDER = resources.files("palmar.cases") / "briefs"
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_RANGE = re.compile(rf"\s*({_NUMBER})\s*\.\.\s*({_NUMBER})\s*")
+
+
+def shipped_briefs() -> list[str]:
+    """Names of the briefs that come with palmar."""
+    return sorted(entry.name.removesuffix(".toml") for entry in _FOLDER.iterdir() if entry.name.endswith(".toml"))
+
+
+def open_brief(name_or_path: str) -> tuple[str, DesignBrief]:
+    """(name for headings, brief) of a file or a shipped one; raises InputError in one line."""
+    path = Path(name_or_path)
+    if path.exists() or path.suffix == ".toml" or len(path.parts) > 1:
+        return path.stem, parse_brief(_text(path), str(path))
+    names = shipped_briefs()
+    if name_or_path not in names:
+        raise InputError(name_or_path[:200], None, f"no such file and no shipped brief, shipped are {', '.join(names)}")
+    return name_or_path, parse_brief((_FOLDER / f"{name_or_path}.toml").read_text(encoding="utf-8"), name_or_path)
+
+
+def parse_brief(text: str, name: str = "brief") -> DesignBrief:
+    """The brief in a TOML text; ``name`` stands for the file in error messages."""
+    try:
+        raw = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InputError(name, None, f"is not valid TOML: {str(error) or 'nested too deep'}") from None
+    for section in raw:
+        _known(section, _SECTIONS, f"{name}: {section}", "section")
+    if "targets" not in raw:
+        raise InputError(f"{name}: [targets]", None, "is missing, every brief needs this section")
+    parts = {section: _section(raw[section], section, name) for section in _SECTIONS if section in raw}
+    return DesignBrief.model_validate(parts)
+
+
+def _text(path: Path) -> str:
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
+    if len(data) > LARGEST_FILE:
+        raise InputError(str(path), None, f"is larger than {LARGEST_FILE} bytes, a brief is a few lines")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
+
+
+def _section(table: Any, section: str, name: str) -> Value:
+    where, model = f"{name}: {section}", _SECTIONS[section]
+    if not isinstance(table, dict):
+        raise InputError(where, json.dumps(table, default=str)[:60], f"must be a table, [{section}]")
+    fields = {file_key(field_name, field): (field_name, field) for field_name, field in model.model_fields.items()}
+    data: dict[str, Any] = {}
+    for key, value in table.items():
+        _known(key, fields, f"{where}.{key[:60]}", "key")
+        field_name, field = fields[key]
+        data[field_name] = _to_si(field_name, value, unit_of(field), f"{where}.{key}")
+    try:
+        return model.model_validate(data)
+    except ValidationError as error:
+        raise explain(error, model, table, where) from None
+
+
+def _to_si(field: str, value: Any, unit: Unit | None, where: str) -> Any:
+    if field == "sensors":
+        try:
+            return Sensors.model_validate({"layout": value})
+        except ValidationError as error:
+            raise explain(error, Sensors, {"layout": value}, where) from None
+    if field in PAIRS:
+        value = _pair(value, where)
+    return _scaled(value, unit)
+
+
+def _pair(value: Any, where: str) -> list[Any]:
+    if isinstance(value, str):
+        match = _RANGE.fullmatch(value)
+        if match is None:
+            raise InputError(where, json.dumps(value)[:60], 'must be a number, "low..high" or a list of numbers')
+        return [float(end) for end in match.groups()]
+    if not isinstance(value, list):
+        return [value, value]
+    if not value or not all(isinstance(each, int | float) and not isinstance(each, bool) for each in value):
+        raise InputError(where, json.dumps(value, default=str)[:60], "must be a list of numbers")
+    return [min(value), max(value)]
+
+
+def _scaled(value: Any, unit: Unit | None) -> Any:
+    if isinstance(value, list):
+        return [_scaled(each, unit) for each in value]
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return value
+    if unit is None:
+        return value
+    return unit.to_si(float(value)) if abs(value) < 1e300 else float("inf")
+
+
+def _known(key: str, allowed: dict[str, Any], where: str, kind: str) -> None:
+    if key not in allowed:
+        close = difflib.get_close_matches(key, allowed, n=1)
+        hint = f"did you mean {close[0]}?" if close else f"allowed are {', '.join(allowed)}"
+        raise InputError(where, None, f"unknown {kind}, {hint}")

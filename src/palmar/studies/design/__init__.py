@@ -1,0 +1,1 @@
+"""From what a hand is to do to the smallest hand that does it."""

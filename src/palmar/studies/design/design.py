@@ -1,0 +1,195 @@
+"""From a brief to the smallest hand that meets it: the answer, what binds, how it was verified; or why there is none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import atan, tau
+
+import numpy as np
+
+from palmar.mechanics.closure.orientation_set import total_measure
+from palmar.models.design_brief import DesignBrief
+from palmar.models.guarantee import Guarantee
+from palmar.models.hand import Hand
+from palmar.studies.design.binding import binding
+from palmar.studies.design.bounds import Bound, bound, wrap_of
+from palmar.studies.design.certificate import certified
+from palmar.studies.design.search import Search
+from palmar.studies.design.tolerance import Place, is_exact, tolerance
+from palmar.studies.design.verify import Verification, orientations_held, verify
+
+CASES = 100_000
+ROUNDS = 5
+MORE = 0.01
+"""Share added to the error in a search after one whose hand did not keep its promise."""
+LARGEST = 64.0
+"""Sizes looked at, in that of the bound."""
+
+
+@dataclass(frozen=True)
+class Option:
+    """The smallest hand with so many links a finger, or why there is none, and whether that is proven."""
+
+    links: int
+    hand: Hand | None
+    place: Place | None = None
+    least: float | None = None
+    """No hand of so many links is shorter (m), by the closed forms; None where they say nothing."""
+    because: str | None = None
+    proven: bool = False
+
+    @property
+    def size(self) -> float | None:
+        """Palm and both fingers (m)."""
+        return None if self.hand is None else size_of(self.hand)
+
+
+@dataclass(frozen=True)
+class Design:
+    """The answer: the smallest hand over the numbers of links allowed, the fewest links first where hands tie.
+
+    ``error`` (m) is what it tolerates about ``place`` (m, hand frame), None where only the hold counts; ``front`` pairs of
+    size and tolerated error (m). Without a hand ``because`` says why.
+    """
+
+    brief: DesignBrief
+    options: tuple[Option, ...]
+    chosen: Option | None
+    error: float | None = None
+    binds: tuple[str, ...] = ()
+    guarantee: Guarantee | None = None
+    verification: Verification | None = None
+    front: tuple[tuple[float, float], ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def fewest_links(self) -> int | None:
+        """The least number of links a finger with which the brief can be met; None with none."""
+        return min((each.links for each in self.options if each.hand is not None), default=None)
+
+
+def size_of(hand: Hand) -> float:
+    """Palm and both fingers (m)."""
+    return 2.0 * (hand.half_palm + hand.finger_length)
+
+
+def design(brief: DesignBrief, cases: int = CASES, seed: int = 0, front: int = 0) -> Design:
+    """The smallest hand that meets the brief, tried in ``cases`` random cases; ``front``: how many points of the front."""
+    asked, extra = brief, 0.0
+    answer = Design(brief, (), None)
+    for _ in range(ROUNDS):
+        options = _options(asked)
+        built = [each for each in options if each.hand is not None]
+        if not built:
+            return Design(brief, options, None)
+        chosen = min(built, key=lambda each: (round(1e6 * (each.size or 0.0)), each.links))
+        assert chosen.hand is not None
+        error, guarantee = certified(brief, chosen.hand, chosen.place)
+        tried = verify(brief, chosen.hand, chosen.place, cases, seed)
+        answer = Design(brief, options, chosen, error, (), guarantee, tried, (), _notes(brief, extra))
+        short = error is not None and error < brief.targets.error * (1.0 - 1e-6)
+        if tried.violations == 0 and not short:
+            break
+        extra += MORE
+        more = {"error": brief.targets.error * (1.0 + extra)}
+        asked = brief.model_copy(update={"targets": brief.targets.model_copy(update=more)})
+    assert answer.chosen is not None and answer.chosen.hand is not None
+    return replace(answer, binds=binding(asked, answer.chosen.hand), front=tuple(_front(brief, front)))
+
+
+def _options(brief: DesignBrief) -> tuple[Option, ...]:
+    """For every number of links that is allowed; where the hand closes straight, one search serves them all."""
+    allowed = sorted(set(brief.limits.links))
+    if brief.error == 0.0 and brief.targets.radii is not None:
+        return tuple(_by_bound(brief, links) for links in allowed)
+    one = _searched(brief)
+    if one.hand is None:
+        return tuple(replace(one, links=links) for links in allowed)
+    length, hand = one.hand.finger_length, one.hand
+    split = [hand.model_copy(update={"finger_links": (length / links,) * links}) for links in allowed]
+    return tuple(replace(one, links=links, hand=each) for links, each in zip(allowed, split, strict=True))
+
+
+def _by_bound(brief: DesignBrief, links: int) -> Option:
+    """Where only the hold counts the closed form's bound is attained."""
+    found = bound(brief, links)
+    if found.because is not None:
+        return Option(links, None, because=found.because, proven=found.proven)
+    lengths = wrap_of(brief, links).links_of(found.half_palm, found.finger)
+    return Option(
+        links, brief.limits.hand(found.half_palm, lengths), least=found.size if found.proven else None, proven=True
+    )
+
+
+def _searched(brief: DesignBrief) -> Option:
+    """The smallest hand whose fingers close straight, from the bound upwards."""
+    low = bound(brief, 1) if brief.targets.radii is not None else Bound(0.25 * _extent(brief), 0.0, None, False)
+    if low.because is not None:
+        return Option(1, None, because=low.because, proven=low.proven)
+    high = min(brief.limits.hand_length, LARGEST * low.size)
+    search = Search(lambda d, length: slack(brief, d, length), brief.limits, fine=is_exact(brief))
+    found = search.smallest(low.size, high)
+    if found is None:
+        best = search.best(high)
+        return Option(1, None, because=_not_found(brief, high, best), proven=False)
+    hand = brief.limits.hand(found[0], (found[1],))
+    place = tolerance(brief, hand).place if brief.error > 0.0 else None
+    return Option(1, hand, place, low.size if low.proven else None, proven=True)
+
+
+def slack(brief: DesignBrief, half_palm: float, finger: float) -> float:
+    """Not negative where straight fingers (m) do: tolerated error less that asked for (m), or share of orientations - 1."""
+    hand = brief.limits.hand(half_palm, (finger,)) if 2.0 * finger > brief.limits.finger_thickness else None
+    if hand is None:
+        return -1.0
+    if brief.error == 0.0:
+        vertices = (1.0 + brief.limits.margin) * np.array(brief.targets.vertices)
+        return total_measure(orientations_held(vertices, hand, atan(brief.least_friction.friction))) / tau - 1.0 + 1e-6
+    return tolerance(brief, hand).radius - brief.error
+
+
+def _not_found(brief: DesignBrief, size: float, best: tuple[float, float, float]) -> str:
+    if brief.error == 0.0:
+        return f"no hand of {1e3 * size:.5g} mm within the limits was found that holds it at every orientation"
+    if brief.targets.sensors is not None:
+        most = brief.targets.approaches_max
+        return f"no hand of {1e3 * size:.5g} mm was found with a plan of at most {most} approaches for that error"
+    if best[0] == -np.inf:
+        return f"no palm and finger within their limits make a hand of at most {1e3 * size:.5g} mm"
+    found = max(best[0] + brief.error, 0.0)
+    return (
+        f"the best hand of {1e3 * size:.5g} mm found, palm {2e3 * best[1]:.4g} and fingers {1e3 * best[2]:.4g} mm, tolerates"
+        f" {1e3 * found:.4g} of the {1e3 * brief.error:.4g} mm"
+    )
+
+
+def _front(brief: DesignBrief, points: int) -> list[tuple[float, float]]:
+    """Smallest sizes (m) for errors (m) from 0 to half as much again as asked for."""
+    if brief.targets.radii is None and brief.error == 0.0:
+        return []
+    largest = 1.5 * brief.targets.error or brief.held[1]
+    found = []
+    for error in np.linspace(0.0, largest, points):
+        targets = brief.targets.model_copy(update={"error": float(error)})
+        there = brief.model_copy(update={"targets": targets})
+        if error == 0.0 and brief.targets.radii is None:
+            continue
+        sizes = [each.size for each in _options(there) if each.size is not None]
+        if sizes:
+            found.append((min(sizes), float(error)))
+    return found
+
+
+def _extent(brief: DesignBrief) -> float:
+    return float(np.ptp(np.array(brief.targets.vertices), axis=0).min())
+
+
+def _notes(brief: DesignBrief, extra: float) -> tuple[str, ...]:
+    notes = []
+    if brief.error > 0.0 and max(brief.limits.links) > 1:
+        notes.append("fingers close straight, so more links than one do not shorten the hand")
+    if extra > 0.0:
+        notes.append(
+            f"searched for an error larger by {100.0 * extra:.3g} %, for a smaller hand did not keep its promise"
+        )
+    return tuple(notes)
