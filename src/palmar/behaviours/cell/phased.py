@@ -20,7 +20,7 @@ from palmar.models.cell_messages import CellEnd, CellOrder, CellSeen, HandOrder
 Floats = NDArray[np.float64]
 PATIENCE = 1.0
 """How long (s) the arm waits for a fresh sighting or the fingers for a grip."""
-TIRED = 15.0
+TIRED = 25.0
 """A motion by vision that takes longer (s), because sightings are hardly ever fresh, is given up."""
 GIVEN_WAY = 0.05
 """Curl (rad) by which fingers have closed further when what they held is gone."""

@@ -22,7 +22,7 @@ from palmar.worlds.mujoco.cell.settings import CellSettings
 Floats = NDArray[np.float64]
 TICKS = 28
 """Servo ticks between two requests of the arm."""
-LONGEST = 40.0
+LONGEST = 120.0
 """A trial that has not ended after this (s) never will."""
 AFTERWARDS = 0.3
 """How long (s) the cell is watched after its end."""
