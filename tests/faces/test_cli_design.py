@@ -40,7 +40,8 @@ def test_a_picture_with_the_front(palmar, tmp_path):
     answer = palmar("design", brief, "--front", 2, "--out", picture, "--cases", 100, "--json")
     assert [error for _, error in answer.record["front"]] == pytest.approx([0.0, 0.045])
     assert answer.record["error_m"] == pytest.approx(0.03, rel=4e-3)
-    assert Image.open(picture).size[0] > 1000
+    with Image.open(picture) as drawn:
+        assert drawn.size[0] > 1000
 
 
 @pytest.mark.parametrize(

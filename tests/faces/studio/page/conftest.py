@@ -19,7 +19,8 @@ PATIENCE = 120_000.0
 """ms: the first answer of a kind may have to wait for kernels to be compiled."""
 
 
-@pytest.fixture(scope="session")
+# Not for the whole session: Playwright keeps an event loop running, in which asyncio's other tests cannot start theirs.
+@pytest.fixture(scope="module")
 def chromium() -> Iterator[Browser]:
     if CHROMIUM is None:
         pytest.skip("no chromium here (Debian: apt-get install chromium)")

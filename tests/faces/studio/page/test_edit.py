@@ -81,7 +81,7 @@ def test_keyboard_alone_opens_the_hand_and_moves_between_pages(studio, palmar, t
     page.get_by_role("tab", name="Studio").focus()
     page.keyboard.press("ArrowRight")
     expect(page.get_by_role("tab", name="Closure map")).to_be_focused()
-    expect(page.get_by_label("Closure map", exact=True)).to_be_visible()
+    expect(page.get_by_role("group", name="Closure map", exact=True)).to_be_visible()
 
 
 def test_a_value_that_cannot_be_is_explained_at_its_field_and_undone(studio, palmar, tmp_path):

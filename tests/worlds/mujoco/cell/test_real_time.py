@@ -24,6 +24,8 @@ from palmar.models.salisbury_hand import SalisburyHand
 from palmar.worlds.cell.exchange import Answer
 from palmar.worlds.cell.faults import Fault, FaultKind
 from palmar.worlds.cell.wire import Frame, Reply, Sightings
+from palmar.worlds.mujoco.cell import plant as plant_module
+from palmar.worlds.mujoco.cell import real_time
 from palmar.worlds.mujoco.cell.plant import AFTERWARDS, Plant
 from palmar.worlds.mujoco.cell.real_time import run_in_real_time
 from palmar.worlds.mujoco.cell.settings import CellSettings
@@ -70,8 +72,7 @@ def test_vision_that_does_not_start_is_reported_at_once_and_nothing_moves():
 
 def test_a_plant_that_dies_is_unsafe_and_reported(monkeypatch):
     """Then nobody can say how arm and hand were left."""
-    name = "palmar.worlds.mujoco.cell.real_time.STRUCK"
-    monkeypatch.setattr(name, {FaultKind.CONTROLLER_HUNG: ("plant", signal.SIGKILL)})
+    monkeypatch.setattr(real_time, "STRUCK", {FaultKind.CONTROLLER_HUNG: ("plant", signal.SIGKILL)})
     trial = run_in_real_time(HAND, TABLE_TASK, CellSettings(fault=Fault(FaultKind.CONTROLLER_HUNG, 0.1)))
     assert (trial.result.outcome, trial.timing) == ("the plant's process died", None)
     assert trial.result.unsafe == ("the plant's process died",)
@@ -84,7 +85,9 @@ def test_when_the_supervisor_goes_everyone_goes(how, tmp_path):
     script = tmp_path / "watcher.py"
     script.write_text(WATCHER)
     words, pipe = [sys.executable, str(script)], subprocess.PIPE
-    with subprocess.Popen(words, stdout=pipe, stderr=pipe, start_new_session=True) as watcher:
+    # A shell's background jobs ignore Ctrl-C, and so would what the test starts.
+    heard = partial(signal.signal, signal.SIGINT, signal.default_int_handler)
+    with subprocess.Popen(words, stdout=pipe, stderr=pipe, start_new_session=True, preexec_fn=heard) as watcher:
         assert watcher.stdout is not None
         assert float(watcher.stdout.readline()) > 0.0
         time.sleep(0.2)
@@ -114,7 +117,7 @@ class Nobody:
 
 
 def test_a_plant_that_nobody_watches_stops_by_itself(monkeypatch):
-    monkeypatch.setattr("palmar.worlds.mujoco.cell.plant.orphaned", lambda: True)
+    monkeypatch.setattr(plant_module, "orphaned", lambda: True)
     plant = Plant(HAND, TABLE_TASK, CellSettings())
     plant.begin(0.0)
     plant.ask(Nobody(), 0.028)
