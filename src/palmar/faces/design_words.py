@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from math import degrees
+
 from palmar.faces.cli.texts import notes, table
 from palmar.faces.words import Row
+from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.design_brief import DesignBrief
 from palmar.models.hand import Hand
 from palmar.studies.design.design import Design, Option
@@ -13,9 +16,8 @@ def design_text(name: str, found: Design, *, by_links: bool) -> str:
     """The hand and what it does, or why there is none; ``by_links``: a row for each number of links, too."""
     parts = [f"{name}: {brief_words(found.brief)}"]
     if found.chosen is None or found.chosen.hand is None:
-        last = found.options[-1]
-        proof = "proven by closed forms" if last.proven else "found by a search, not proven"
-        parts.append(f"Impossible, because {last.because} ({proof}).")
+        proof = "proven by closed forms" if found.proven else "found by a search, not proven"
+        parts.append(f"Impossible, because {found.because} ({proof}).")
     else:
         parts.append(table(_rows(found, found.chosen, found.chosen.hand)))
     if by_links:
@@ -53,8 +55,10 @@ def _rows(found: Design, chosen: Option, hand: Hand) -> list[Row]:
         ("fingers", f"{links} mm"),
         ("palm and both fingers", f"{1e3 * (chosen.size or 0.0):.2f} mm"),
     ]
-    if chosen.least is not None:
-        rows.append(("no hand is shorter than", f"{1e3 * chosen.least:.2f} mm, by closed forms"))
+    if chosen.does.name is not BehaviourName.CLOSE:
+        rows.insert(2, ("how they close", closing_words(chosen.does)))
+    if found.least is not None:
+        rows.append(("no hand is shorter than", f"{1e3 * found.least:.2f} mm, by closed forms"))
     if found.error is not None and chosen.place is not None:
         x, y = (1e3 * each for each in chosen.place)
         rows.append(("tolerated error", f"{1e3 * found.error:.2f} mm about ({x:.1f}, {y:.1f}) mm"))
@@ -66,6 +70,13 @@ def _rows(found: Design, chosen: Option, hand: Hand) -> list[Row]:
     return rows
 
 
+def closing_words(does: Behaviour) -> str:
+    """How a designed hand closes."""
+    if does.name is BehaviourName.CLOSE:
+        return "straight"
+    return f"curl the distal joints to {degrees(does.preshape):.1f} deg, then close"
+
+
 def _link_row(option: Option) -> Row:
     if option.size is None:
         return str(option.links), "none", option.because or ""
@@ -74,5 +85,5 @@ def _link_row(option: Option) -> Row:
     return (
         str(option.links),
         f"{1e3 * option.size:.2f} mm",
-        f"palm {1e3 * option.hand.palm_width:.2f}, fingers {lengths}",
+        f"palm {1e3 * option.hand.palm_width:.2f}, fingers {lengths}, {closing_words(option.does)}",
     )

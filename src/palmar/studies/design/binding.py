@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.design_brief import DesignBrief
 from palmar.models.hand import Hand
 from palmar.studies.design.bounds import least_reach, wrap_of
+from palmar.studies.design.circumstances import STRAIGHT
 from palmar.studies.design.tolerance import is_exact, tolerance
 
 NEARLY = 5e-3
@@ -12,7 +14,7 @@ NEARLY = 5e-3
 SAMPLED = 2e-2
 
 
-def binding(brief: DesignBrief, hand: Hand) -> tuple[str, ...]:
+def binding(brief: DesignBrief, hand: Hand, does: Behaviour = STRAIGHT) -> tuple[str, ...]:
     """Names of what binds: "largest radius", "smallest radius", "error", or a limit by its key."""
     d, length = hand.half_palm, hand.finger_length
     found = []
@@ -21,12 +23,13 @@ def binding(brief: DesignBrief, hand: Hand) -> tuple[str, ...]:
         if float(wrap.least_finger(0.98 * d)) > length or _meets(float(wrap.least_finger(d)), length):
             found.append("largest radius")
         radii = wrap.straight_radii(d, length)
-        if float(radii.min) > 0.0 and _meets(float(radii.min), wrap.smallest):
+        straight = does.name is BehaviourName.CLOSE
+        if straight and float(radii.min) > 0.0 and _meets(float(radii.min), wrap.smallest):
             found.append("smallest radius")
     if brief.error > 0.0:
-        within = NEARLY if is_exact(brief) else SAMPLED
+        within = NEARLY if is_exact(brief, does) else SAMPLED
         sensing = brief.targets.sensors is not None
-        tolerated = 0.0 if sensing else tolerance(brief, hand).radius
+        tolerated = 0.0 if sensing else tolerance(brief, hand, does).radius
         if sensing or tolerated <= brief.error * (1.0 + within) or _meets(length, least_reach(brief)):
             found.append("error")
     elif brief.targets.vertices is not None:
