@@ -3,8 +3,9 @@
     python3 dev.py validate design [NAME...] [CASES [SEED]]
 
 For the grid, palm and fingers run over all hands shorter than the answer and up to a twentieth longer; where the answer
-curls its fingers, links and preshape angles as well. Each is judged as the search judges hands, where only the hold counts
-by the closure kernels: a hand that the search passed over shows as one of the grid that is shorter than the answer.
+curls its fingers, over lengths from four fifths of it on, palms, links and preshape angles. Each is judged as the search
+judges hands, where only the hold counts by the closure kernels: a hand that the search passed over shows as one of the grid
+that is shorter than the answer.
 
 MuJoCo: starts and circumstances drawn as in the trial, in a world that shares no code with the kernels.
 
@@ -34,18 +35,22 @@ from palmar.models.design_brief_file import open_brief, parse_brief, shipped_bri
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.support import SupportKind
-from palmar.studies.design.circumstances import case_of
+from palmar.studies.design.bounds import least_reach
+from palmar.studies.design.circumstances import STRAIGHT, case_of
 from palmar.studies.design.curled import curling
 from palmar.studies.design.design import Design, design, slack
+from palmar.studies.design.search import half_palms
 from palmar.studies.trials_in_world import outcomes
 from palmar.worlds.mujoco.world import mujoco_world
 
 ROOT = Path(__file__).resolve().parents[1]
-SOURCES = ("mechanics", "models", "regions", "studies/design")
-FINE, COARSE, FELT, CURLED = 24, 10, 6, 6
-"""Palms and fingers of the grid: for regions in closed form, simulated ones, plans by touch, and fingers that curl."""
-PROXIMAL, ANGLES = (0.35, 0.5, 0.65, 0.8), (15.0, 25.0, 35.0, 45.0, 60.0)
-"""Shares of the proximal link and preshape angles (deg) of the grid of fingers that curl."""
+SOURCES = ("mechanics", "models", "regions", "behaviours", "worlds", "studies/design")
+FINE, COARSE, FELT = 24, 10, 6
+"""Palms and fingers of the grid: for regions in closed form, simulated ones, and plans by touch."""
+LENGTHS = tuple(0.8 + 0.025 * k for k in range(11))
+"""Of the grid of fingers that curl, in that of the answer."""
+PALMS, PROXIMAL, ANGLES = (0.0, 0.15, 0.3, 0.6, 1.0), (0.35, 0.5, 0.65, 0.8, 0.9), (15.0, 20.0, 30.0, 40.0, 55.0)
+"""Of that grid: the palm's share of what the reach leaves, the proximal link's of the finger, preshape angles (deg)."""
 DOES = -1e-9
 """A slack that is no more need not be worked out."""
 GROUPS, STARTS, RATE = 10, 20, np.radians(8.0)
@@ -79,22 +84,30 @@ def best_of_grid(brief: DesignBrief, answer: Design) -> float | None:
     assert answer.chosen is not None and answer.chosen.hand is not None and answer.chosen.size is not None
     if brief.error == 0.0 and brief.targets.radii is not None:
         return best_share(brief, answer.chosen.links)
-    half, does = 0.5 * LONGER * answer.chosen.size, answer.chosen.does
-    curls = len(answer.chosen.hand.finger_links) == 2
-    quick = brief.targets.radii is not None and brief.targets.support.value == "table" and not curls
-    count = FELT if brief.targets.sensors else CURLED if curls else FINE if quick else COARSE
+    if len(answer.chosen.hand.finger_links) == 2:
+        return best_curled(brief, answer.chosen.size)
+    half = 0.5 * LONGER * answer.chosen.size
+    quick = brief.targets.radii is not None and brief.targets.support.value == "table"
+    count = FELT if brief.targets.sensors else FINE if quick else COARSE
     (palm, palm_most), (finger, finger_most) = brief.limits.palm_width, brief.limits.finger_length
-    palms = np.linspace(max(0.5 * palm, (0.002 if curls else 0.02) * half), min(0.5 * palm_most, half), count)
-    fingers = np.linspace(max(finger, 0.1 * half), min(finger_most, half), 2 * count if curls else count)
+    palms = np.linspace(max(0.5 * palm, 0.02 * half), min(0.5 * palm_most, half), count)
+    fingers = np.linspace(max(finger, 0.1 * half), min(finger_most, half), count)
     hands = sorted((float(d + length), float(d), float(length)) for d, length in product(palms, fingers))
     for total, d, length in hands:
-        if total > half:
-            break
-        if not curls and slack(brief, d, (length,), does, DOES) >= 0.0:
+        if total <= half and slack(brief, d, (length,), STRAIGHT, DOES) >= 0.0:
             return 2.0 * total
-        bent = product(PROXIMAL, ANGLES) if curls else ()
-        if any(slack(brief, d, (p * length, (1.0 - p) * length), curling(np.radians(a)), DOES) >= 0.0 for p, a in bent):
-            return 2.0 * total
+    return None
+
+
+def best_curled(brief: DesignBrief, size: float) -> float | None:
+    """The same of fingers of two links that curl: lengths about that of the answer (m), palms, links, preshape angles."""
+    for half in 0.5 * size * np.array(LENGTHS):
+        least, most = half_palms(2.0 * half, brief.limits, least_reach(brief))
+        for share, proximal, angle in product(PALMS, PROXIMAL, ANGLES):
+            d = least + share * (most - least)
+            links = (proximal * (half - d), (1.0 - proximal) * (half - d))
+            if least <= most and slack(brief, d, links, curling(np.radians(angle)), DOES) >= 0.0:
+                return float(2.0 * half)
     return None
 
 
