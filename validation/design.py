@@ -3,7 +3,7 @@
     python3 dev.py validate design [NAME...] [CASES [SEED]]
 
 For the grid, palm and fingers run over all hands shorter than the answer and up to a twentieth longer; where the answer
-curls its fingers, over lengths from four fifths of it on, palms, links and preshape angles. Each is judged as the search
+curls its fingers, over lengths from 0.85 of it on, palms, links and preshape angles. Each is judged as the search
 judges hands, where only the hold counts by the closure kernels: a hand that the search passed over shows as one of the grid
 that is shorter than the answer.
 
@@ -47,9 +47,9 @@ ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ("mechanics", "models", "regions", "behaviours", "worlds", "studies/design")
 FINE, COARSE, FELT = 24, 10, 6
 """Palms and fingers of the grid: for regions in closed form, simulated ones, and plans by touch."""
-LENGTHS = tuple(0.8 + 0.025 * k for k in range(11))
+LENGTHS = (0.85, 0.9, 0.95, 0.975, 1.0, 1.025, 1.05)
 """Of the grid of fingers that curl, in that of the answer."""
-PALMS, PROXIMAL, ANGLES = (0.0, 0.15, 0.3, 0.6, 1.0), (0.35, 0.5, 0.65, 0.8, 0.9), (15.0, 20.0, 30.0, 40.0, 55.0)
+PALMS, PROXIMAL, ANGLES = (0.0, 0.2, 0.5, 1.0), (0.4, 0.6, 0.75, 0.9), (20.0, 30.0, 40.0, 55.0)
 """Of that grid: the palm's share of what the reach leaves, the proximal link's of the finger, preshape angles (deg)."""
 DOES = -1e-9
 """A slack that is no more need not be worked out."""

@@ -128,6 +128,9 @@ def _things(brief: DesignBrief) -> list[Disk | ConvexPolygon]:
 
 
 def _frictions(brief: DesignBrief) -> list[float]:
+    """Disks are lost first with the least friction; polygons also by more of it, which wedges them."""
+    if brief.targets.vertices is None:
+        return [brief.least_friction.friction]
     return list(dict.fromkeys((brief.least_friction.friction, brief.targets.friction[1])))
 
 
