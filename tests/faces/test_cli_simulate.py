@@ -124,6 +124,16 @@ def test_a_file_of_starts_gives_one_result_a_row_in_order(palmar, tmp_path):
     assert told[told.index("starts") + 1] == "4"
 
 
+def test_a_device_that_is_not_there_is_one_line_and_never_the_processors_instead(palmar, tmp_path, monkeypatch):
+    monkeypatch.setattr("numba.cuda.is_available", lambda: False)
+    path = starts(tmp_path / "s.csv", "x_mm,y_mm\n500,2283.5\n")
+    for words in (("simulate", CASE, "--starts", path), ("sweep", "sweep_table", "--out", tmp_path / "out")):
+        answer = palmar(*words, "--device", "gpu", "--json")
+        assert (answer.status, answer.out, answer.err.count("\n")) == (2, "", 1)
+        assert 'device "gpu": ' in answer.err
+    assert not (tmp_path / "out").exists()
+
+
 def test_a_file_with_a_heading_only_has_no_results(palmar, tmp_path):
     path = starts(tmp_path / "s.csv", "x_mm,y_mm\n")
     assert palmar("simulate", CASE, "--starts", path, "--json").record == {"results": []}
@@ -171,6 +181,7 @@ def test_a_file_that_cannot_be_read_is_one_line(palmar, tmp_path):
         (["--start", "0,900", "--velocity", "-5,0"], "quasi-static sliding"),
         (["--start", "0,900", "--starts", "x.csv"], "cannot be combined"),
         (["--world", "moon"], "planar"),
+        (["--device", "gpu"], "--device = gpu: is for --starts"),
     ],
 )
 def test_bad_options_are_one_line(palmar, words, said):
