@@ -40,6 +40,7 @@ kind = "{support}"
 PLAIN = {"hand": "", "radius": 38, "friction": 0.7, "restitution": 0.5, "support": "table", "behaviour": ""}
 TABLE = [
     PLAIN,
+    PLAIN | {"radius": 20, "friction": 1},
     PLAIN | {"hand": "open_deg = 40", "friction": 0},
     PLAIN | {"hand": "finger_thickness_mm = 20", "friction": 0.3},
     PLAIN | {"hand": "joint_limits_deg = [[0, 100], [0, 90]]", "radius": 80, "friction": 0},
@@ -47,9 +48,11 @@ TABLE = [
 FREE = [
     PLAIN | {"support": "free", "friction": 0},
     PLAIN | {"support": "free", "hand": "finger_thickness_mm = 20", "restitution": 0},
-    PLAIN | {"support": "free", "hand": "finger_mass_kg = 0.5", "friction": 0, "restitution": 1},
+    PLAIN | {"support": "free", "hand": "finger_mass_kg = 0.5\nfinger_torque_N_m = 1", "friction": 0, "restitution": 1},
     PLAIN | {"support": "free", "behaviour": 'name = "close_coupled"\nratio = 0.5'},
 ]
+SPECIAL = [(0.2, 0.01), (0.048, 0.0264), (-0.0565, 0.0267), (0.0306, 0.0267)]
+"""Behind a finger that is not quite open; nearly on the palm, where a disk of 20 mm is wedged by one finger."""
 CLOSE, MOST_APART = 1e-9, 0.02
 """m and rad; the part of the starts whose end a change of the last bit of the start may move farther than that."""
 
@@ -59,11 +62,14 @@ def case_of(words: dict[str, object]) -> Case:
 
 
 def compare(number: int) -> set[str]:
-    """Carry so many starts a case both ways, assert that they end alike; returns the outcomes that were met."""
+    """Carry so many starts a case both ways and assert that they end alike.
+
+    Returns the outcomes that were met, and "uneven_table", "uneven_free" where fingers ended at different angles.
+    """
     random, met = np.random.default_rng(7), set()
     for words in TABLE + FREE:
         case, places = case_of(words), random.uniform([-0.3, -0.05], [0.3, 0.35], (number, 2))
-        places[0] = 0.2, 0.01  # behind an open finger
+        places[:4] = SPECIAL
         if words["support"] == "table":
             here, there = table_world(case).ends(places), on_gpu.table_ends(table_world(case), places)
         else:
@@ -71,9 +77,11 @@ def compare(number: int) -> set[str]:
             here, there = free_world(case).ends(starts), on_gpu.free_ends(free_world(case), starts)
         assert np.mean(here.codes != there.codes) <= 1e-4, words
         apart = np.abs(np.column_stack([here.poses - there.poses, here.fingers - there.fingers])).max(axis=1)
-        assert np.mean(apart > CLOSE) <= MOST_APART, words
+        assert np.sum(apart > CLOSE) <= max(1, MOST_APART * number), words
         assert np.any(apart > 0.0), "the device's own arithmetic differs in the last bits"
         met |= {Outcome.from_code(int(code)).value for code in here.codes}
+        if np.sum(np.ptp(here.fingers, axis=1) > 1e-3) > 1:
+            met.add(f"uneven_{words['support']}")
     return met
 
 
@@ -106,7 +114,8 @@ assert any((here[name] != there[name]).any() for name in here), "not carried by 
 def test_a_simulated_device_runs_the_kernels_to_the_same_ends():
     done = python(SIMULATED, NUMBA_ENABLE_CUDASIM="1")
     assert done.returncode == 0, done.stderr
-    assert set(done.stdout.split()) >= {each.value for each in Outcome if each is not Outcome.JAMMED}
+    wanted = {each.value for each in Outcome if each is not Outcome.JAMMED} | {"uneven_table", "uneven_free"}
+    assert set(done.stdout.split()) >= wanted
 
 
 COMPILED = """
