@@ -7,7 +7,6 @@ stores its end. That function and all that it calls are compiled for the device 
 from __future__ import annotations
 
 import dis
-import warnings
 from functools import cache
 from importlib.util import find_spec
 from math import atan
@@ -17,7 +16,6 @@ from typing import Any
 import numpy as np
 from numba import config, cuda, float64
 from numba.core.dispatcher import Dispatcher
-from numba.core.errors import NumbaPerformanceWarning
 from numpy.typing import ArrayLike, NDArray
 
 from palmar.errors import NotCoveredError
@@ -47,12 +45,13 @@ Codes = NDArray[np.int8]
 ROWS_PER_LAUNCH, THREADS_PER_BLOCK = 1 << 20, 64
 """A launch's starts and ends are 80 MB at most; blocks are small, so that one slow start keeps few others waiting."""
 CHAIN_SHAPE = (2 * MOST_LINKS + 2, 2)
+_settings: Any = config
+_settings.CUDA_LOW_OCCUPANCY_WARNINGS = 0  # that few starts leave a device idle is nothing to warn of
 
 
 def refuse_without_gpu() -> None:
     """Raise NotCoveredError where no CUDA device can be used, and say what is missing."""
-    settings: Any = config
-    if find_spec("numba_cuda") is None and not settings.ENABLE_CUDASIM:
+    if find_spec("numba_cuda") is None and not _settings.ENABLE_CUDASIM:
         raise NotCoveredError('device "gpu": needs the extra, pip install "palmar[gpu]"')
     if not cuda.is_available():
         raise NotCoveredError('device "gpu": no CUDA device, or no driver for it, is found on this machine')
@@ -78,9 +77,7 @@ def _ends(kernel: Any, starts: ArrayLike, *world: Any) -> Ends:
         some = slice(first, first + ROWS_PER_LAUNCH)
         places = _to_device(rows[some])
         its_codes, its_ends = cuda.device_array(len(places), np.int8), cuda.device_array((len(places), 5))
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", NumbaPerformanceWarning)  # few starts leave a device idle: no harm
-            kernel[-(-len(places) // THREADS_PER_BLOCK), THREADS_PER_BLOCK](*there, places, its_codes, its_ends)
+        kernel[-(-len(places) // THREADS_PER_BLOCK), THREADS_PER_BLOCK](*there, places, its_codes, its_ends)
         its_codes.copy_to_host(codes[some])
         its_ends.copy_to_host(ends[some])
     return Ends(codes, ends[:, :3], ends[:, 3:])
