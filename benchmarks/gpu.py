@@ -80,7 +80,7 @@ def main() -> int:
     except NotCoveredError as refusal:
         print(f"bench gpu: left out, {refusal}")
         return 0
-    print(f"{cuda.get_current_device().name!s} and {THREADS} threads, starts a second", flush=True)
+    print(f"{cuda.current_context().device} and {THREADS} threads, starts a second", flush=True)
     random, wrong = np.random.default_rng(11), False
     for name, ((here, there), number) in QUESTIONS.items():
         starts = np.zeros((number, 5))
