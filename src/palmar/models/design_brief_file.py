@@ -17,8 +17,8 @@ from palmar.models.design_brief import DesignBrief, Limits, Targets
 from palmar.models.explain import explain
 from palmar.models.quantity import Unit, Value, file_key, unit_of
 from palmar.models.sensors import Sensors
+from palmar.models.text_file import read_text
 
-LARGEST_FILE = 1_000_000
 PAIRS = ("radii", "friction", "restitution", "palm_width", "finger_length")
 """Fields that take a number, "low..high", or a list of values whose ends count."""
 _SECTIONS: dict[str, type[Value]] = {"targets": Targets, "limits": Limits}
@@ -36,7 +36,7 @@ def open_brief(name_or_path: str) -> tuple[str, DesignBrief]:
     """(name for headings, brief) of a file or a shipped one; raises InputError in one line."""
     path = Path(name_or_path)
     if path.exists() or path.suffix == ".toml" or len(path.parts) > 1:
-        return path.stem, parse_brief(_text(path), str(path))
+        return path.stem, parse_brief(read_text(path, words=", a brief is a few lines"), str(path))
     names = shipped_briefs()
     if name_or_path not in names:
         raise InputError(name_or_path[:200], None, f"no such file and no shipped brief, shipped are {', '.join(names)}")
@@ -55,19 +55,6 @@ def parse_brief(text: str, name: str = "brief") -> DesignBrief:
         raise InputError(f"{name}: [targets]", None, "is missing, every brief needs this section")
     parts = {section: _section(raw[section], section, name) for section in _SECTIONS if section in raw}
     return DesignBrief.model_validate(parts)
-
-
-def _text(path: Path) -> str:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
-    if len(data) > LARGEST_FILE:
-        raise InputError(str(path), None, f"is larger than {LARGEST_FILE} bytes, a brief is a few lines")
-    try:
-        return data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
 
 
 def _section(table: Any, section: str, name: str) -> Value:
