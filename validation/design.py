@@ -45,7 +45,7 @@ from palmar.worlds.mujoco.world import mujoco_world
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ("mechanics", "models", "regions", "behaviours", "worlds", "studies/design")
-FINE, COARSE, FELT = 24, 10, 6
+FINE, COARSE, FELT = 24, 16, 6
 """Palms and fingers of the grid: for regions in closed form, simulated ones, and plans by touch."""
 LENGTHS = (0.85, 0.9, 0.95, 0.975, 1.0, 1.025, 1.05)
 """Of the grid of fingers that curl, in that of the answer."""

@@ -10,8 +10,9 @@ from palmar.studies.design.circumstances import STRAIGHT
 from palmar.studies.design.tolerance import is_exact, tolerance
 
 NEARLY = 5e-3
-"""Share within which something counts as just met, where it is exact, and where it is sampled."""
-SAMPLED = 2e-2
+"""Share within which something counts as just met."""
+SMALLER = 0.98
+"""Of a hand, where what it tolerates comes in steps."""
 
 
 def binding(brief: DesignBrief, hand: Hand, does: Behaviour = STRAIGHT) -> tuple[str, ...]:
@@ -27,10 +28,7 @@ def binding(brief: DesignBrief, hand: Hand, does: Behaviour = STRAIGHT) -> tuple
         if straight and float(radii.min) > 0.0 and _meets(float(radii.min), wrap.smallest):
             found.append("smallest radius")
     if brief.error > 0.0:
-        within = NEARLY if is_exact(brief, does) else SAMPLED
-        sensing = brief.targets.sensors is not None
-        tolerated = 0.0 if sensing else tolerance(brief, hand, does).radius
-        if sensing or tolerated <= brief.error * (1.0 + within) or _meets(length, least_reach(brief)):
+        if _error_binds(brief, hand, does):
             found.append("error")
     elif brief.targets.vertices is not None:
         found.append("orientations")
@@ -42,6 +40,16 @@ def binding(brief: DesignBrief, hand: Hand, does: Behaviour = STRAIGHT) -> tuple
     ):
         found += [name] if any(end > 0.0 and _meets(value, end) for end in pair) else []
     return tuple(found)
+
+
+def _error_binds(brief: DesignBrief, hand: Hand, does: Behaviour) -> bool:
+    """Whether more would hardly be tolerated; where that is sampled, whether a slightly smaller hand tolerates too little."""
+    if brief.targets.sensors is not None or _meets(hand.finger_length, least_reach(brief)):
+        return True
+    if is_exact(brief, does):
+        return tolerance(brief, hand).radius <= brief.error * (1.0 + NEARLY)
+    links = tuple(SMALLER * each for each in hand.finger_links)
+    return tolerance(brief, brief.limits.hand(SMALLER * hand.half_palm, links), does).radius < brief.error
 
 
 def _meets(value: float, end: float) -> bool:
