@@ -17,6 +17,8 @@ from palmar.models.support import SupportKind
 
 MOST_LINKS = 6
 """Links a finger that a brief may ask about."""
+LONGEST = 1000.0
+"""Length (m) that stands for no limit."""
 Friction = Annotated[Real, Field(ge=0.0, le=100.0)]
 Share = Annotated[Real, Field(ge=0.0, le=1.0)]
 
@@ -71,10 +73,10 @@ class Targets(Value):
 class Limits(Value):
     """Within which the hand may be built; a pair is (least, greatest)."""
 
-    palm_width: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, 1000.0)
-    finger_length: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, 1000.0)
+    palm_width: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, LONGEST)
+    finger_length: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, LONGEST)
     """Of the straight finger (m)."""
-    hand_length: Annotated[Length, Unit.MILLIMETRE] = 1000.0
+    hand_length: Annotated[Length, Unit.MILLIMETRE] = LONGEST
     """The most that palm and both fingers may measure together (m)."""
     links: Annotated[tuple[Annotated[int, Field(ge=1, le=MOST_LINKS)], ...], Field(min_length=1, max_length=MOST_LINKS)] = (
         1, 2, 3,

@@ -43,7 +43,7 @@ def binding(brief: DesignBrief, hand: Hand, does: Behaviour = STRAIGHT) -> tuple
 
 
 def _error_binds(brief: DesignBrief, hand: Hand, does: Behaviour) -> bool:
-    """Whether more would hardly be tolerated; where that is sampled, whether a slightly smaller hand tolerates too little."""
+    """Whether more would hardly be tolerated; where that is sampled, whether a smaller hand tolerates too little."""
     if brief.targets.sensors is not None or _meets(hand.finger_length, least_reach(brief)):
         return True
     if is_exact(brief, does):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import degrees, inf, sin
 
-from palmar.models.design_brief import DesignBrief
+from palmar.models.design_brief import LONGEST, DesignBrief
 from palmar.models.hand import Fingers
 from palmar.studies.design.wrap import Wrap
 
@@ -115,8 +115,9 @@ def _no_proportion(wrap: Wrap, brief: DesignBrief) -> str:
     palm, finger = (
         "..".join(_mm(end) for end in each) for each in (brief.limits.palm_width, brief.limits.finger_length)
     )
+    limited = f" of {finger} mm in all" if brief.limits.finger_length[1] < LONGEST else ""
     return (
-        f"no palm of {palm} mm with {_links(wrap.links)} a finger of {finger} mm in all holds {_radii(wrap)}"
+        f"no palm of {palm} mm with {_links(wrap.links)} a finger{limited} holds {_radii(wrap)}"
         f" at friction {brief.least_friction.friction:.4g}"
     )
 
