@@ -27,6 +27,17 @@ def test_the_best_proportion_of_straight_fingers():
     assert d / (d + length) == pytest.approx(0.3, abs=5e-3)
 
 
+def test_a_good_proportion_far_from_that_of_another_size_is_found():
+    """What does best where nothing is enough need not be near to what is."""
+
+    def slack(d, length, beaten):
+        wide = d / (d + length)
+        return 0.01 - 0.1 * abs(wide - 0.15) if d + length >= 0.2 else -0.1 - abs(wide - 0.8)
+
+    for fine in (True, False):
+        assert sum(smallest(Straight(slack, Limits(), fine).best, 0.1, 10.0, 1e-3, 0.1)) == pytest.approx(0.2, rel=2e-3)
+
+
 def test_a_yes_is_taken_at_once():
     asked = []
     search = Straight(lambda d, length, beaten: asked.append(d) or 0.0, Limits(), fine=False, yes_or_no=True)

@@ -87,26 +87,34 @@ class Straight:
                 tried[d] = self.slack(d, half - d, beaten)
             return -tried[d]
 
-        shares = self._shares(least / half, most / half)
-        if self.fine:
-            _refine(lack, shares)
-        else:
-            any(lack(share) <= 0.0 and self.yes_or_no for share in shares)
+        for shares in self._scans(least / half, most / half):
+            if self.fine:
+                _refine(lack, shares)
+            else:
+                any(lack(share) <= 0.0 and self.yes_or_no for share in shares)
+            if max(tried.values()) >= 0.0:
+                break
         best = max(tried, key=lambda d: tried[d])
         if tried[best] > min(tried.values()) or tried[best] >= 0.0:  # else nothing is known of the best proportion yet
             self._share = best / half
         return tried[best], (float(best), float(half - best))
 
-    def _shares(self, least: float, most: float) -> list[float]:
-        """To scan, those near to one known to be good; it first, where the order matters."""
+    def _scans(self, least: float, most: float) -> list[list[float]]:
+        """Shares near to one known to be good, it first where the order matters; then, or where none is known, all over.
+
+        Where each takes a search of its own, the near ones must do.
+        """
         if most - least < 1e-9:
-            return [least]
+            return [[least]]
+        wide = [float(each) for each in np.linspace(least, most, SHARES)]
         if self._share is None:
-            return [float(each) for each in np.linspace(least, most, SHARES)]
+            return [wide]
         known = self._share
         low, high = max(least, known - NEAR), min(most, known + NEAR)
-        shares = [float(each) for each in np.linspace(min(low, most), max(high, least), NEAR_SHARES)]
-        return shares if self.fine else sorted(shares, key=lambda share: abs(share - known))
+        near = [float(each) for each in np.linspace(min(low, most), max(high, least), NEAR_SHARES)]
+        if self.yes_or_no:
+            return [sorted(near, key=lambda share: abs(share - known))]
+        return [near if self.fine else sorted(near, key=lambda share: abs(share - known)), wide]
 
 
 def _refine(lack: Callable[[float], float], shares: list[float]) -> None:
