@@ -94,7 +94,7 @@ def _to_file(part: Value) -> dict[str, Any]:
         value = _from_si(value, unit_of(field))
         if name in PAIRS:
             low, high = value
-            value = low if low == high else f"{low!r}..{high!r}"
+            value = low if low == high else "..".join(repr(end).removesuffix(".0") for end in value)
         table[file_key(name, field)] = value
     return table
 
