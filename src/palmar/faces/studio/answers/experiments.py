@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
+from functools import cache, partial
+from typing import Any
 
 from palmar.errors import InputError
 from palmar.faces.jointed_record import jointed_record
 from palmar.faces.plots.source_figures import FIGURES
 from palmar.faces.plots.style import encoded
 from palmar.faces.records import closure_record, region_facts
+from palmar.faces.source_numbers_record import source_numbers_record
 from palmar.faces.studio.answers.part import Part, Question
 from palmar.models.case import Case
 from palmar.models.quantity import Value
 from palmar.studies.report import report_facts
+from palmar.studies.source_numbers import source_numbers
 
 
 class Shown(Value):
-    """One figure by its number, or the facts about the case; else the list of figures."""
+    """One figure by its number, the source's numbers, or the facts about the case; else the list of figures."""
 
     figure: str | None = None
+    numbers: bool = False
     facts: bool = False
 
 
@@ -28,11 +32,19 @@ def experiments(asked: Question) -> Iterator[Part]:
     given = asked.parameters(Shown)
     if given.facts:
         yield _facts(asked.required_case)
+    elif given.numbers:
+        yield Part("numbers", _numbers())
     elif given.figure is not None:
         yield _figure(given.figure)
     else:
         known = [{"number": number, "title": title_of(number)} for number in FIGURES]
         yield Part("list", {"figures": known})
+
+
+@cache
+def _numbers() -> dict[str, Any]:
+    """As ``palmar figures numbers``; they depend on nothing."""
+    return source_numbers_record(source_numbers())
 
 
 def known_figure(number: str) -> str:
