@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import atan, degrees, pi, radians, tan
 
@@ -61,9 +61,10 @@ class SourceNumber:
         return tuple(ours - theirs for ours, theirs in zip(self.found, self.printed, strict=True))
 
 
-def source_numbers() -> tuple[SourceNumber, ...]:
-    """All of them, in the order of the source."""
-    return tuple(each for chapter in (_chapter_2, _chapter_3, _chapter_4, _chapter_5, _chapter_6) for each in chapter())
+def source_numbers(chapter: int | None = None) -> tuple[SourceNumber, ...]:
+    """All of them in the order of the source, or those of one chapter; none where it prints none."""
+    wanted = _CHAPTERS if chapter is None else {chapter: _CHAPTERS.get(chapter, lambda: iter(()))}
+    return tuple(each for numbers in wanted.values() for each in numbers())
 
 
 def _chapter_2() -> Iterator[SourceNumber]:
@@ -199,3 +200,8 @@ def _chapter_6() -> Iterator[SourceNumber]:
         tip = preshapes(case).tip
         assert tip is not None
         yield SourceNumber("6.3", None, what, "deg", (printed,), (degrees(tip.angle),), Guarantee.CLOSED_FORM, why)
+
+
+_CHAPTERS: dict[int, Callable[[], Iterator[SourceNumber]]] = {
+    2: _chapter_2, 3: _chapter_3, 4: _chapter_4, 5: _chapter_5, 6: _chapter_6,
+}  # fmt: skip

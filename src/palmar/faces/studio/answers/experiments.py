@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache, partial
-from typing import Any
+from typing import Annotated, Any
+
+from pydantic import Field
 
 from palmar.errors import InputError
 from palmar.faces.jointed_record import jointed_record
@@ -20,10 +22,10 @@ from palmar.studies.source_numbers import source_numbers
 
 
 class Shown(Value):
-    """One figure by its number, the source's numbers, or the facts about the case; else the list of figures."""
+    """One figure by its number, the numbers of one chapter of the source, or the facts about the case; else the list of figures."""
 
     figure: str | None = None
-    numbers: bool = False
+    numbers: Annotated[int, Field(ge=1, le=8, strict=True)] | None = None
     facts: bool = False
 
 
@@ -32,8 +34,8 @@ def experiments(asked: Question) -> Iterator[Part]:
     given = asked.parameters(Shown)
     if given.facts:
         yield _facts(asked.required_case)
-    elif given.numbers:
-        yield Part("numbers", _numbers())
+    elif given.numbers is not None:
+        yield Part("numbers", _numbers(given.numbers))
     elif given.figure is not None:
         yield _figure(given.figure)
     else:
@@ -42,9 +44,9 @@ def experiments(asked: Question) -> Iterator[Part]:
 
 
 @cache
-def _numbers() -> dict[str, Any]:
+def _numbers(chapter: int) -> dict[str, Any]:
     """As ``palmar figures numbers``; they depend on nothing."""
-    return source_numbers_record(source_numbers())
+    return source_numbers_record(source_numbers(chapter))
 
 
 def known_figure(number: str) -> str:
@@ -58,7 +60,8 @@ def title_of(number: str) -> str:
     """What a figure shows, in a line."""
     draw = FIGURES[number]
     words = str(draw.args[-1]) if isinstance(draw, partial) else str(draw.__doc__).strip().splitlines()[0]
-    return words.removeprefix(f"Figure {number}: ")
+    words = words.removeprefix(f"Figure {number}: ").removesuffix(".")
+    return words[0].upper() + words[1:]
 
 
 def _figure(number: str) -> Part:

@@ -10,12 +10,15 @@ import { useDesigning } from "./use_design";
 
 /** What the parts say, and whether they are about the brief as it is now. */
 export function useFound() {
-  const { answer } = useDesigning();
+  const { answer, searching } = useDesigning();
   const [bound, design] = [answer.parts.get("bound"), answer.parts.get("design")];
   const fresh = bound !== undefined && design !== undefined && design.seq === bound.seq && answer.error === null;
+  const told = bound?.value as BoundValue | undefined;
+  // What was found for an earlier brief stays, fading, only while a new hand is on its way.
+  const follows = answer.busy && answer.error === null && told?.impossible === null && (told.soon || searching);
   return {
-    bound: bound?.value as BoundValue | undefined,
-    design: design?.value as DesignValue | undefined,
+    bound: told,
+    design: fresh || follows ? (design?.value as DesignValue | undefined) : undefined,
     guarantee: (design?.guarantee ?? null) as Guarantee | null,
     fresh,
     tried: design?.stage === "settled",
@@ -23,7 +26,7 @@ export function useFound() {
 }
 
 export function BriefAnswer() {
-  const { answer, searching } = useDesigning();
+  const { answer } = useDesigning();
   const { bound, design, guarantee, fresh, tried } = useFound();
   const { error } = answer;
   return (
@@ -38,7 +41,7 @@ export function BriefAnswer() {
       {bound && !error && <p className="muted">To {bound.words}.</p>}
       {!error && <State bound={bound} found={fresh} tried={tried} />}
       {bound?.impossible && !fresh && !error && <Impossible words={bound.impossible} />}
-      {design && (fresh || bound?.soon || searching) && (
+      {design && (
         <div className={fresh ? "stack" : "stack late"} data-fresh={fresh}>
           {design.impossible && <Impossible words={design.impossible} />}
           {design.rows.length > 0 && (
@@ -142,7 +145,7 @@ function ByLinks({ design }: { design: DesignValue }) {
           <tr>
             <th>links</th>
             <th className="number">smallest hand</th>
-            <th />
+            <th>hand</th>
           </tr>
         </thead>
         <tbody>

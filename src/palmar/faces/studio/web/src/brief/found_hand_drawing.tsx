@@ -24,6 +24,7 @@ export function FoundHandDrawing({ found }: { found: FoundHand }) {
     boxOf([found.place_mm], Math.max(reach(shape), found.error_mm)),
   );
   const [x, y] = found.place_mm;
+  const lengths = { ...shape, halfPalm: 0.5 * tenth(2 * shape.halfPalm), links: shape.links.map(tenth) };
   return (
     <>
       <Drawing
@@ -42,12 +43,15 @@ export function FoundHandDrawing({ found }: { found: FoundHand }) {
             <Hand fingers={fingers} thickness={shape.thickness} px={px} />
           </>
         )}
-        over={({ view, size }) => <Dimensions shape={shape} fingers={fingers} view={view} size={size} />}
+        over={({ view, size }) => <Dimensions shape={lengths} fingers={fingers} view={view} size={size} />}
       />
       <p className="legend muted">{captionOf(found)}</p>
     </>
   );
 }
+
+/** Rounded so that the words find room; the table has more digits. */
+const tenth = (value: number): number => Number(value.toFixed(1));
 
 function captionOf({ radii_mm: radii, error_mm: error }: FoundHand): string {
   const objects = radii.length > 1 ? "the smallest and the largest object" : "the object";

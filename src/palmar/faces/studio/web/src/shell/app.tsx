@@ -98,8 +98,10 @@ export function App() {
               </p>
             )}
           </div>
-          <main id="page-body" role="tabpanel" aria-labelledby={`tab-${open[0]}`}>
-            <Tab />
+          <main>
+            <div id="page-body" role="tabpanel" aria-labelledby={`tab-${open[0]}`}>
+              <Tab />
+            </div>
           </main>
         </div>
       </DesignContext>

@@ -18,7 +18,6 @@ interface Chosen {
 }
 
 const LIST = { kind: "experiments", channel: "list" };
-const NUMBERS = { kind: "experiments", channel: "numbers", parameters: { numbers: true } };
 const CHAPTERS: Readonly<Record<number, string>> = {
   2: "Which disks and polygons are held",
   3: "Closing on a table",
@@ -39,7 +38,7 @@ export function ExperimentsTab() {
     <div className="two figures-tab">
       <div className="stack">
         {chosen && chosen.figure !== null && <FigureShown number={chosen.figure} />}
-        {chosen && <Numbers chosen={chosen} />}
+        {chosen && <Numbers chapter={chosen.chapter} figure={chosen.figure} />}
       </div>
       <div className="card stack">
         <h2>The source's figures, redone</h2>
@@ -63,7 +62,8 @@ function FigureShown({ number }: { number: string }) {
   const { connection } = useStudio();
   const question = useMemo(() => ({ kind: "experiments", parameters: { figure: number } }), [number]);
   const answer = useAnswer(connection, question);
-  const figure = answer.parts.get("figure")?.value as (FigureTitle & { svg: string }) | undefined;
+  const found = answer.parts.get("figure")?.value as (FigureTitle & { svg: string }) | undefined;
+  const figure = found?.number === number ? found : undefined;
   return (
     <>
       <div className="card paper" aria-busy={answer.busy}>
@@ -74,7 +74,9 @@ function FigureShown({ number }: { number: string }) {
             alt={`Figure ${figure.number}: ${figure.title}`}
           />
         ) : (
-          <p className="muted">Drawing…</p>
+          <p className="muted" role="status">
+            {answer.wait ?? `Drawing figure ${number}…`}
+          </p>
         )}
       </div>
       <ExportMenu things={[{ words: `figure ${number}`, wish: { what: "figure", parameters: { figure: number } } }]} />
@@ -82,17 +84,21 @@ function FigureShown({ number }: { number: string }) {
   );
 }
 
-function Numbers({ chosen }: { chosen: Chosen }) {
+function Numbers({ chapter, figure }: { chapter: number; figure: string | null }) {
   const { connection } = useStudio();
-  const answer = useAnswer(connection, NUMBERS);
+  const question = useMemo(
+    () => ({ kind: "experiments", channel: "numbers", parameters: { numbers: chapter } }),
+    [chapter],
+  );
+  const answer = useAnswer(connection, question);
   const all = (answer.parts.get("numbers")?.value as { numbers: readonly SourceNumber[] } | undefined)?.numbers;
-  const numbers = (all ?? []).filter((each) => each.chapter === chosen.chapter);
+  const numbers = (all ?? []).filter((each) => each.chapter === chapter);
   return (
     <div className="card stack" aria-busy={answer.busy}>
-      <h2>Chapter {chosen.chapter}: the source's numbers and ours</h2>
+      <h2>Chapter {chapter}: the source's numbers and ours</h2>
       {answer.error && <p className="error">{answer.error}</p>}
-      {answer.busy && <p role="status">{answer.wait ?? "Computing them anew…"}</p>}
-      {numbers.length > 0 && <SourceNumbers numbers={numbers} figure={chosen.figure} />}
+      {numbers.length === 0 && answer.busy && <p role="status">{answer.wait ?? "Computing them anew…"}</p>}
+      {numbers.length > 0 && <SourceNumbers numbers={numbers} figure={figure} />}
     </div>
   );
 }

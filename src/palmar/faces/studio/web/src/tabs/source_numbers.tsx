@@ -42,11 +42,12 @@ export function SourceNumbers({ numbers, figure }: { numbers: readonly SourceNum
               </td>
               <th scope="row">
                 {each.what}
+                {each.unit && <span className="muted">, {UNITS[each.unit] ?? `in ${each.unit}`}</span>}
                 {each.why && <div className="small muted">{each.why}.</div>}
               </th>
-              <td className="number">{amount(each.source, each.unit)}</td>
-              <td className="number">{each.palmar ? amount(each.palmar, each.unit) : "none"}</td>
-              <td className="number">{each.difference ? amount(each.difference.map(rounded), "", 2) : "–"}</td>
+              <td className="number">{amount(each.source)}</td>
+              <td className="number">{each.palmar ? amount(each.palmar) : "none"}</td>
+              <td className="number">{each.difference ? amount(each.difference.map(rounded), 2) : "–"}</td>
               <td>
                 <GuaranteeBadge guarantee={each.guarantee} waiting={false} />
               </td>
@@ -60,10 +61,10 @@ export function SourceNumbers({ numbers, figure }: { numbers: readonly SourceNum
 
 const rounded = (value: number): number => (Math.abs(value) < 1e-12 ? 0 : value);
 
-const PRINTED: Readonly<Record<string, string>> = { deg: "°", cm: " cm", "%": " %" };
+const UNITS: Readonly<Record<string, string>> = { deg: "in degrees", "%": "in %" };
 
-/** A number, or a few that belong together, with their unit. */
-function amount(values: readonly number[], unit: string, most = 4): string {
+/** A number, or a few that belong together. */
+function amount(values: readonly number[], most = 4): string {
   const words = values.map((each) => digits(each, most)).join(", ");
-  return values.length > 1 ? `(${words})` : `${words}${PRINTED[unit] ?? (unit && ` ${unit}`)}`;
+  return values.length > 1 ? `(${words})` : words;
 }
