@@ -31,29 +31,37 @@ WATCH = """
 (() => {
   const log = window.measured = {redraws: [], moves: 0};
   const asked = new Map();
-  let moved = 0, newest = -1, wanted = null;
+  let moved = 0, wanted = null;
   window.addEventListener("pointermove", event => { moved = event.timeStamp; log.moves += 1; }, true);
-  const send = WebSocket.prototype.send;
-  WebSocket.prototype.send = function (text) {
-    const frame = JSON.parse(text);
-    if (frame.kind === "look") { asked.set(frame.seq, moved); newest = frame.seq; }
-    if (!this.watched) {
-      this.watched = true;
-      this.addEventListener("message", event => {
+  window.addEventListener("pointerrawupdate", event => { moved = event.timeStamp; }, true);
+  window.WebSocket = class extends WebSocket {
+    constructor(...given) {
+      super(...given);
+      this.addEventListener("message", event => {  // before the page's own listener, which draws at once
         const part = JSON.parse(event.data);
-        if (part.part === "region" && part.kind === "look") wanted = {seq: part.seq, stage: part.stage};
+        if (part.part === "region" && part.kind === "look")
+          wanted = {seq: part.seq, stage: part.stage, computed: part.ms, answered: performance.now()};
       });
     }
-    return send.call(this, text);
+    send(text) {
+      const frame = JSON.parse(text);
+      if (frame.kind === "look") asked.set(frame.seq, [moved, performance.now()]);
+      super.send(text);
+    }
   };
   new MutationObserver(changes => {
     if (!wanted || !changes.some(each => each.target.dataset && each.target.dataset.region === "centre")) return;
-    const {seq, stage} = wanted;
+    const {seq, stage, computed, answered} = wanted, drawn = performance.now();
+    const [began, sent] = asked.get(seq);
     wanted = null;
-    requestAnimationFrame(() => setTimeout(() => log.redraws.push([seq, stage, performance.now() - asked.get(seq)]), 0));
+    const tell = () => log.redraws.push(
+      [seq, stage, performance.now() - began, sent - began, answered - sent, computed, drawn - answered]);
+    requestAnimationFrame(() => setTimeout(tell, 0));
   }).observe(document, {subtree: true, attributes: true, attributeFilter: ["d"]});
 })()
 """
+PHASES = ("until asked, ms", "until answered, ms", "of it computing, ms", "until drawn, ms")
+"""Medians of what the time from move to redraw is made of; the rest is painting."""
 
 
 @contextmanager
@@ -125,15 +133,16 @@ def drag(page: Page, grip: str, seconds: float) -> dict[str, float]:
     page.mouse.up()
     page.wait_for_timeout(1000)
     moves, redraws = page.evaluate("[measured.moves, measured.redraws]")
-    quick = {seq: late for seq, _, late in reversed(redraws)}
-    lates = np.array(list(quick.values()))
+    first = {seq: times for seq, _, *times in reversed(redraws)}
+    lates, *phases = np.array(list(first.values())).T
     return {
         "moves a second": moves / took,
-        "updates a second": len(quick) / took,
+        "updates a second": len(first) / took,
         "median, ms": float(np.median(lates)),
         "95th percentile, ms": float(np.percentile(lates, 95)),
         "browser's processor time a move, ms": 1e3 * used[0] / moves,
-        "server's an update, ms": 1e3 * used[1] / len(quick),
+        "server's an update, ms": 1e3 * used[1] / len(first),
+        **{name: float(np.median(each)) for name, each in zip(PHASES, phases, strict=True)},
     }
 
 

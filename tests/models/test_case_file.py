@@ -9,13 +9,14 @@ from hypothesis import strategies as st
 
 from palmar.errors import InputError
 from palmar.models.case import Behaviour, Case, Range, Start
-from palmar.models.case_file import LARGEST_FILE, dump_case, parse_case, read_case
+from palmar.models.case_file import dump_case, parse_case, read_case
 from palmar.models.contact import Contact
 from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.sensors import SensorLayout, Sensors
 from palmar.models.shipped import description, open_case, shipped_names, shipped_text
 from palmar.models.support import Pressure, Support, SupportKind
+from palmar.models.text_file import FEW_LINES
 
 SMALLEST = "[hand]\npalm_width_mm = 120\nfinger_links_mm = [137.0, 107]\n[object]\nradius_mm = 38\n"
 
@@ -256,7 +257,7 @@ def test_files_that_cannot_be_read(tmp_path: Path):
     huge = tmp_path / "huge.toml"
     with huge.open("wb") as file:
         file.truncate(1_000_000_000)
-    with pytest.raises(InputError, match=f"is larger than {LARGEST_FILE} bytes"):
+    with pytest.raises(InputError, match=f"is larger than {FEW_LINES} bytes"):
         read_case(huge)
 
 

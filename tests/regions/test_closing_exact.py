@@ -11,7 +11,7 @@ from palmar.geometry.straight_finger import last_angle
 from palmar.mechanics.pushing.closing import close_disk
 from palmar.mechanics.pushing.closing_tables import ClosingHand, build_tables
 from palmar.mechanics.pushing.limit_surface import disk_surface
-from palmar.models.case_file import parse_case
+from palmar.models.case_file import build_case, parse_case
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
 from palmar.models.outcome import Outcome
@@ -111,3 +111,14 @@ def test_an_empty_region_has_a_reason(radius, closure, said):
 def test_what_no_method_covers_is_refused():
     with pytest.raises(NotCoveredError, match="free"):
         exact_region(open_case("testbed_free")[1])
+
+
+def test_a_speck_has_its_region_soon_flattened_more_than_asked_and_says_so():
+    def region(radius_mm):
+        return build_region(
+            build_case({"hand": {"palm_width_mm": 120, "finger_links_mm": [100]}, "object": {"radius_mm": radius_mm}})
+        )
+
+    small, speck = region(0.1), region(0.005)
+    assert small.flattening < 1e-6 < speck.flattening < 5e-4
+    assert 0.98 * small.area < speck.area < speck.outer.area < 1.02 * small.area

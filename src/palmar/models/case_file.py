@@ -23,8 +23,8 @@ from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.quantity import Unit, Value, file_key, unit_of
 from palmar.models.sensors import SensorLayout, Sensors
 from palmar.models.support import Support
+from palmar.models.text_file import read_text
 
-LARGEST_FILE = 1_000_000
 MOST_RANGES = 6
 
 _SECTIONS: dict[str, type[Value]] = {
@@ -41,7 +41,7 @@ def read_case(path: Path) -> Case:
 
     Raises InputError naming file, field, value and what is allowed.
     """
-    return parse_case(_text(path), str(path))
+    return parse_case(read_text(path, words=", a case file is a few lines"), str(path))
 
 
 def parse_case(text: str, name: str = "case") -> Case:
@@ -106,20 +106,6 @@ def case_tables(case: Case) -> dict[str, dict[str, Any]]:
             if values[name] is not None
         }
     return tables
-
-
-def _text(path: Path) -> str:
-    try:
-        with path.open("rb") as file:
-            data = file.read(LARGEST_FILE + 1)
-    except OSError as error:
-        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
-    if len(data) > LARGEST_FILE:
-        raise InputError(str(path), None, f"is larger than {LARGEST_FILE} bytes, a case file is a few lines")
-    try:
-        return data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
 
 
 def with_friction(case: Case, text: str, where: str) -> Case:

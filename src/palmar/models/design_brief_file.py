@@ -18,8 +18,8 @@ from palmar.models.design_brief import DesignBrief, Limits, Targets
 from palmar.models.explain import explain
 from palmar.models.quantity import Unit, Value, file_key, unit_of
 from palmar.models.sensors import Sensors
+from palmar.models.text_file import read_text
 
-LARGEST_FILE = 1_000_000
 PAIRS = ("radii", "friction", "restitution", "palm_width", "finger_length")
 """Fields that take a number, "low..high", or a list of values whose ends count."""
 _SECTIONS: dict[str, type[Value]] = {"targets": Targets, "limits": Limits}
@@ -50,7 +50,7 @@ def open_brief(name_or_path: str) -> tuple[str, DesignBrief]:
     """(name for headings, brief) of a file or a shipped one; raises InputError in one line."""
     path = Path(name_or_path)
     if path.exists() or path.suffix == ".toml" or len(path.parts) > 1:
-        return path.stem, parse_brief(_text(path), str(path))
+        return path.stem, parse_brief(read_text(path, words=", a brief is a few lines"), str(path))
     return name_or_path, parse_brief(shipped_brief_text(name_or_path), name_or_path)
 
 
@@ -103,19 +103,6 @@ def _from_si(value: Any, unit: Unit | None) -> Any:
     if isinstance(value, list):
         return [_from_si(each, unit) for each in value]
     return unit.from_si(value) if unit is not None and isinstance(value, float) else value
-
-
-def _text(path: Path) -> str:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
-    if len(data) > LARGEST_FILE:
-        raise InputError(str(path), None, f"is larger than {LARGEST_FILE} bytes, a brief is a few lines")
-    try:
-        return data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
 
 
 def _section(table: Any, section: str, name: str) -> Value:

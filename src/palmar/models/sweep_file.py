@@ -16,6 +16,7 @@ from palmar.errors import InputError
 from palmar.models.case_file import dump_case
 from palmar.models.shipped import open_case
 from palmar.models.sweep import Axis, Spread, Sweep, SweepCommand, put
+from palmar.models.text_file import read_text
 
 MOST_ROWS, MOST_VALUES = 10**13, 100_000
 _FOLDER = resources.files("palmar.cases") / "sweeps"
@@ -31,12 +32,7 @@ def open_sweep(name_or_path: str) -> Sweep:
     """The sweep in a file, or a shipped one; raises InputError in one line: what, where, and what is allowed."""
     path = Path(name_or_path)
     if path.exists() or path.suffix == ".toml" or len(path.parts) > 1:
-        try:
-            return parse_sweep(path.read_text(encoding="utf-8"), str(path), path.parent)
-        except OSError as error:
-            raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
-        except UnicodeDecodeError as error:
-            raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
+        return parse_sweep(read_text(path, words=", a specification is a few lines"), str(path), path.parent)
     names = shipped_sweeps()
     if name_or_path not in names:
         raise InputError(name_or_path[:200], None, f"no such file and no shipped sweep, shipped are {', '.join(names)}")

@@ -46,6 +46,8 @@ SAMPLES, ASIDE = 256, (1e-6, 1e-4, 1e-3, 1e-2)
 none of them falls would be missed."""
 FEWEST, SHARE, SPARE = 32, 0.9, 1.02
 """Chords of a way at first; part of the tolerance that curves aim at; allowance for a way moved aside."""
+MOST = 2**18
+"""Chords of a way at last: disks a thousandth of the finger's length and less ask for more, and are flattened more."""
 SNAP = 1e-12
 """Corners this near (radii) to axis and palm line lie on them."""
 
@@ -173,14 +175,14 @@ def _up_to_way(closing: _Closing, tau: float, returned: bool) -> tuple[BaseGeome
     From the inner and the outer side: the way is moved towards the hand, or outwards, by the error of its chords. Ways lie
     apart by at least R cos alpha per radian of tau, since the contact moves out at R or more and the motion leans by at
     most alpha from the normal. Where they spread more the way is moved farther: the error returned is chords and move
-    together, and there are as many chords as keep it within the tolerance.
+    together, and there are as many chords as keep it within the tolerance, up to ``MOST``.
     """
     few = _way(closing, tau, returned, FEWEST)
     if few is None:
         return EMPTY, EMPTY, 0.0
     spread = closing.hand.radius * cos(closing.alpha)
     moved = 1.0 + _widest_spread(closing, few) / spread
-    chords = max(FEWEST, ceil(FEWEST * sqrt(few.bound * moved / (SHARE * closing.tolerance))))
+    chords = min(max(FEWEST, ceil(FEWEST * sqrt(few.bound * moved / (SHARE * closing.tolerance)))), MOST)
     worst, bound = few.bound * (FEWEST / chords) ** 2, 0.0
     while worst > bound:
         bound = SPARE * worst

@@ -12,6 +12,7 @@ jams, in docs/derivations/exact_region.md.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from dataclasses import dataclass
 from math import acos, atan, cos, hypot, pi, radians, sin
 
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 
 from palmar.geometry.planar_set import EMPTY, areal, with_mirror_image
-from palmar.mechanics.pushing.advance_bound import advance_bound
+from palmar.mechanics.pushing.advance_bound import Advance, advance_bound
 from palmar.mechanics.pushing.slider import Slider
 
 Floats = NDArray[np.float64]
@@ -54,7 +55,7 @@ def pushed_core(
         return EMPTY
     psi: Floats = caged - STEP * np.arange(int((caged - first) / STEP) + 1, dtype=np.float64)
     advance = advance_bound(slider, friction, length)
-    limit = _limits(sizes, psi, _widest(slider, psi), advance.at, advance.growth)
+    limit = _limits(sizes, psi, slider, advance)
     least = np.maximum(sizes.reach, _on_palm(sizes, psi))
     fails = np.flatnonzero(limit < least)
     sound = len(psi) if len(fails) == 0 else int(fails[0])
@@ -85,24 +86,30 @@ def _widest(slider: Slider, psi: Floats) -> Floats:
     return np.minimum(missed, 2.0 * reach)
 
 
-def _limits(sizes: _Sizes, psi: Floats, widest: Floats, at: Floats, growth: Floats) -> Floats:
+def _limits(sizes: _Sizes, psi: Floats, slider: Slider, advance: Advance) -> Floats:
     """r_c at falling ``psi``, from below the tip at the first of them; each step takes the growth of its larger end.
 
     Beyond 90 deg it is kept so low that the fingers are farther apart at the height of g than both can touch.
     """
-    d = sizes.half_palm
-    limit = np.empty(len(psi))
+    limit = np.full(len(psi), -np.inf)
+    ceiling = _clear_of_both(sizes, psi[psi > 0.5 * pi], slider).tolist()
+    at, growth = advance.at.tolist(), advance.growth.tolist()
     r = sizes.length - sizes.reach
-    for k, angle in enumerate(psi):
-        lean = -cos(angle)
-        if lean > 0.0:
-            r = min(r, ((d * sin(angle) - 0.5 * widest[k]) / lean + sizes.inner * lean) / sin(angle))
-        limit[k] = r
+    for k in range(len(psi)):
+        if k < len(ceiling):
+            r = min(r, ceiling[k])
         if r <= 0.0:
-            limit[k:] = -np.inf
             break
-        r -= STEP * float(growth[np.searchsorted(at, r)])
+        limit[k] = r
+        r -= STEP * growth[bisect_left(at, r)]
     return limit
+
+
+def _clear_of_both(sizes: _Sizes, psi: Floats, slider: Slider) -> Floats:
+    """The largest r beyond 90 deg at whose height both fingers cannot touch (m)."""
+    lean, sine = -np.cos(psi), np.sin(psi)
+    found: Floats = ((sizes.half_palm * sine - 0.5 * _widest(slider, psi)) / lean + sizes.inner * lean) / sine
+    return found
 
 
 def _on_palm(sizes: _Sizes, psi: Floats) -> Floats:

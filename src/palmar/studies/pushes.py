@@ -20,6 +20,7 @@ from palmar.errors import InputError
 from palmar.mechanics.pushing.push import Pushed, Pusher, push
 from palmar.mechanics.pushing.slider import Slider
 from palmar.models.quantity import LARGEST_LENGTH
+from palmar.models.text_file import read_text
 
 Floats = NDArray[np.float64]
 BEFORE = ("x0_m", "y0_m", "theta0_rad")
@@ -64,7 +65,7 @@ class EndErrors:
 
 def read_pushes(path: Path) -> RecordedPushes:
     """Read a file of pushes; raises InputError naming the line and column that is wrong."""
-    rows = csv.reader(_text(path).splitlines(), strict=True)
+    rows = csv.reader(read_text(path, LARGEST_FILE).splitlines(), strict=True)
     try:
         table = [(rows.line_num, row) for row in rows if any(cell.strip() for cell in row)]
     except csv.Error as error:
@@ -113,20 +114,6 @@ def mean_errors(errors: Iterable[EndErrors]) -> tuple[float, float]:
     means = [(each.position.mean(), each.angle.mean()) for each in errors]
     position, angle = np.mean(means, axis=0)
     return float(position), float(angle)
-
-
-def _text(path: Path) -> str:
-    try:
-        with path.open("rb") as file:
-            data = file.read(LARGEST_FILE + 1)
-    except OSError as error:
-        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
-    if len(data) > LARGEST_FILE:
-        raise InputError(str(path), None, f"is larger than {LARGEST_FILE} bytes")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise InputError(str(path), None, f"is not text in UTF-8 (byte {error.start})") from None
 
 
 def _number(text: str, name: str, path: Path, line: int) -> float:

@@ -14,6 +14,10 @@ from palmar.models.case_file import parse_case
 from palmar.models.shipped import shipped_text
 
 CASE = "chapter3_example"
+TRIANGLE = {
+    "hand": {"palm_width_mm": 120, "finger_links_mm": [244]},
+    "object": {"shape": "polygon", "vertices_mm": [[-40, -30], [40, -30], [0, 45]]},
+}
 SETS = ("centre", "contact", "whole", "outer", "certain")
 
 
@@ -37,15 +41,30 @@ def test_a_look_ends_with_the_command_lines_numbers(palmar):
 
 
 def test_the_first_region_of_a_look_is_nearly_the_last_one():
-    look = parts(Kind.LOOK, steps=[0, 1])
+    look = parts(Kind.LOOK)
     first, last = (look["region", stage]["record"] for stage in ("quick", "settled"))
     assert first["guarantee"] == last["guarantee"] == "closed_form"
     assert first["area_m2"] == pytest.approx(last["area_m2"], rel=1e-4)
     assert first["area_m2"] != last["area_m2"]
 
 
+def test_the_first_verdict_on_bent_fingers_has_the_last_ones_radii():
+    look = parts(Kind.LOOK, case="testbed_table")
+    first, last = (look["closure", stage] for stage in ("quick", "settled"))
+    assert {name: first[name] for name in ("structural", "frictional", "object")} == {
+        name: last[name] for name in ("structural", "frictional", "object")
+    }
+    assert ("closure", "quick") in parts(Kind.LOOK, case="testbed_table", steps=[0])
+
+
+def test_a_simulated_region_comes_coarsely_first():
+    steps = [{(each.name, each.stage) for each in answered(Kind.LOOK, step, TRIANGLE, {})} for step in range(3)]
+    assert [("region", "quick") in step for step in steps] == [False, True, False]
+    assert [("region", "settled") in step for step in steps] == [False, False, True]
+
+
 def test_a_drawing_is_in_millimetres():
-    drawing = parts(Kind.LOOK, steps=[0])["drawing", "quick"]
+    drawing = parts(Kind.LOOK)["drawing", "settled"]
     assert drawing["hand"]["right_mm"] == [[1000.0, 0.0], [3000.0, 0.0]]
     assert drawing["hand"]["left_mm"] == [[-1000.0, 0.0], [-3000.0, 0.0]]
     assert drawing["object"]["radius_mm"] == parse_case(shipped_text(CASE)).object.radius * 1e3

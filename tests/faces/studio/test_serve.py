@@ -15,7 +15,7 @@ from websockets.exceptions import ConnectionClosedError, InvalidStatus
 
 from palmar.faces.records import finite
 from palmar.faces.studio.answering import answered
-from palmar.faces.studio.kinds import Kind
+from palmar.faces.studio.kinds import STEPS, Kind
 from palmar.faces.studio.requests import LARGEST_MESSAGE
 from palmar.models.shipped import shipped_text
 
@@ -59,7 +59,9 @@ def test_a_look_over_the_socket_is_that_of_the_functions(server):
 
     frames = [each for each in on_socket(server[1], look) if each["part"] != "wait"]
     assert {(each["id"], each["seq"], each["kind"]) for each in frames} == {("a", 7, "look")}
-    expected = [each for step in range(3) for each in answered(Kind.LOOK, step, shipped_text(CASE), {})]
+    expected = [
+        each for step in range(len(STEPS[Kind.LOOK])) for each in answered(Kind.LOOK, step, shipped_text(CASE), {})
+    ]
     assert [(each["part"], each["stage"]) for each in frames[:-1]] == [(each.name, each.stage) for each in expected]
     last = json.loads(json.dumps(finite(expected[3].value)))
     assert frames[3]["value"] == last

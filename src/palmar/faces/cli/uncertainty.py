@@ -17,9 +17,10 @@ from palmar.errors import InputError
 from palmar.faces.cli.printing import numbers
 from palmar.geometry.planar_set import areal
 from palmar.models.quantity import LARGEST_LENGTH
+from palmar.models.text_file import read_text
 
 FORM = "disk:R_MM, box:W_MM,H_MM or the name of a GeoJSON file in mm"
-CORNERS, MOST_CORNERS, LARGEST_FILE = 128, 500, 1_000_000
+CORNERS, MOST_CORNERS = 128, 500
 """A disk is the regular polygon of so many corners around it; the most a file may have, and its size in bytes."""
 
 
@@ -49,13 +50,10 @@ def _lengths(text: str, option: str, count: int, form: str) -> list[float]:
 
 def _read(path: Path) -> BaseGeometry:
     """The polygons of a GeoJSON file (geometry, feature or collection), from mm to m."""
+    text = read_text(path)
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise InputError(str(path), None, f"must be at most {LARGEST_FILE} bytes")
-        given = json.loads(path.read_text(encoding="utf-8"))
+        given = json.loads(text)
         found = shapely.union_all([part for each in _geometries(given) for part in areal(each).geoms])
-    except OSError as error:
-        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
     except (ValueError, TypeError, KeyError, AttributeError, IndexError, RecursionError, GEOSException):
         raise InputError(str(path), None, "is not GeoJSON with polygons in mm") from None
     return _checked(shapely.transform(found, lambda points: 1e-3 * points), path)

@@ -13,6 +13,7 @@ from palmar.errors import InputError
 from palmar.faces.exports.whole_file import write_whole
 from palmar.faces.records import finite
 from palmar.faces.trace_record import read_record, whole_record
+from palmar.models.text_file import read_text
 from palmar.studies.run_behaviour import BehaviourRun
 
 DRAWN = (".svg", ".pdf", ".png")
@@ -53,14 +54,10 @@ def write_trace(path: Path, done: BehaviourRun) -> None:
 
 def read_trace(path: Path) -> BehaviourRun:
     """The run in a JSON or CSV file that ``write_trace`` wrote; raises InputError in one line."""
+    text = read_text(path, LARGEST_FILE)
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise InputError(str(path), None, f"is larger than {LARGEST_FILE} bytes")
-        text = path.read_text(encoding="utf-8")
         record = json.loads(text) if path.suffix.lower() == ".json" else _from_csv(text)
         return read_record(record, str(path))
-    except OSError as error:
-        raise InputError(str(path), None, f"cannot be read: {error.strerror or error}") from None
     except (ValueError, KeyError, TypeError, IndexError, RecursionError):
         raise InputError(str(path), None, "is no trace that palmar behaviours run wrote (json or csv)") from None
 

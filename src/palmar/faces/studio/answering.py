@@ -17,7 +17,7 @@ from palmar.models.shipped import shipped_text
 Answer = Callable[[Question], Iterator[Part]]
 
 ANSWERS: dict[Kind, tuple[Answer, ...]] = {
-    Kind.LOOK: (look.at_once, look.soon, look.at_last),
+    Kind.LOOK: (look.at_once, look.roughly, look.exactly, look.at_last),
     Kind.SIMULATE: (motion.simulate,),
     Kind.BEHAVIOUR_REGION: (look.feedback_coarsely, look.feedback_wholly),
     Kind.PAINT: (paint.coarsely, paint.wholly),
@@ -57,5 +57,5 @@ def read(case: Any) -> Case:
 def warm_up() -> None:
     """Load the kernels that the first look needs."""
     asked = Question(parse_case(shipped_text("testbed_table")), {})
-    for step in (look.at_once, look.soon):
+    for step in (look.at_once, look.exactly):
         list(step(asked))

@@ -45,15 +45,15 @@ class Kind(Enum):
     """Comes by POST, not over the socket."""
 
 
-PAUSE = 0.15
-"""Slow answers wait until nothing has been changed for so long."""
+MOMENT, PAUSE = 0.05, 0.15
+"""The command line's numbers, and those of them that are slow, wait until nothing has been changed for so long."""
 LONG_PAUSE = 0.4
-"""Those that take seconds."""
+"""So do searches that take seconds."""
 
 _QUICK, _LONG = Step(Lane.QUICK, 3.0), Step(Lane.LONG, 60.0)
 
 STEPS: dict[Kind, tuple[Step, ...]] = {
-    Kind.LOOK: (_QUICK, Step(Lane.LONG, 10.0), Step(Lane.LONG, 120.0, PAUSE)),
+    Kind.LOOK: (_QUICK, Step(Lane.LONG, 10.0), Step(Lane.LONG, 10.0, MOMENT), Step(Lane.LONG, 120.0, PAUSE)),
     Kind.SIMULATE: (Step(Lane.LONG, 20.0),),
     Kind.BEHAVIOUR_REGION: (_LONG, Step(Lane.LONG, 300.0)),
     Kind.PAINT: (Step(Lane.LONG, 10.0), Step(Lane.LONG, 60.0, PAUSE)),

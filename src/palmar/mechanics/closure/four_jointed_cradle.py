@@ -7,11 +7,12 @@ back under the disk, carries it. Both are the same geometry with opposite signs 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import pi
+from math import acos, asin, atan2, cos, nan, pi, sin, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from palmar.mechanics.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 GOLDEN = (5.0**0.5 - 1.0) / 2.0
@@ -27,13 +28,9 @@ def cradled_radius(w: Floats, p: Floats, q: Floats, on_palm: Floats, alpha: Floa
     the tip is the tangent point, and beyond it until it is stationary or the disk comes down to the palm (radius
     ``on_palm``, NaN where the tip cannot come that high on a disk on the palm).
     """
-    low = np.broadcast_to(np.asarray(alpha, dtype=float), w.shape)
-    first = _bisected(lambda lean: _tangent_lasts(lean, w, p, q, alpha), low, np.full_like(w, 0.5 * pi))
-    farthest = _bisected(lambda lean: _under(lean, w, p, q, alpha) >= 0.0, first, np.full_like(w, 0.5 * pi))
-    last = np.where(np.isnan(on_palm), farthest, 0.5 * pi - 2.0 * np.arctan2(w, on_palm))
-    ends = first, np.maximum(first, last)
-    stationary = golden_maximum(lambda lean: _radius_at_tip(lean, w, p, q, alpha), *ends)
-    return np.fmax(np.fmax(_radius_at_tip(first, w, p, q, alpha), stationary), on_palm)
+    found = np.empty_like(w)
+    _cradle_all(w, p, q, on_palm, np.full_like(w, alpha), found)
+    return found
 
 
 def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) -> Floats:
@@ -43,14 +40,11 @@ def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) 
     """
     columns = np.broadcast_arrays(*(np.asarray(each, dtype=float) for each in (half_palm, proximal, distal)))
     w, p, q = (each.ravel() for each in columns)
-    result = np.full_like(w, np.nan)
+    result = np.full_like(w, nan)
     some = np.flatnonzero(folds(w, p, q))
-    if some.size:
-        w, p, q = w[some], p[some], q[some]
-        first, last = np.arcsin(w / p), np.full_like(w, 0.5 * pi)
-        level = np.clip(np.arccos(q / p), first, last)
-        found = np.maximum(_folded_peak(first, level, w, p, q), _folded_peak(level, last, w, p, q))
-        result[some] = np.where(found > 0.0, found, np.nan)
+    found = np.empty(len(some))
+    _fold_all(w[some], p[some], q[some], found)
+    result[some] = np.where(found > 0.0, found, nan)
     return result.reshape(columns[0].shape)
 
 
@@ -59,84 +53,133 @@ def folds(w: Floats, p: Floats, q: Floats) -> NDArray[np.bool_]:
     return np.asarray((w > 0.0) & (w < p) & (q > 0.0) & (q < p))
 
 
-def _folded_peak(low: Floats, high: Floats, w: Floats, p: Floats, q: Floats) -> Floats:
+@compiled
+def _cradle_all(w: Floats, p: Floats, q: Floats, on_palm: Floats, alpha: Floats, found: Floats) -> None:
+    for k in range(len(w)):
+        found[k] = _cradled(w[k], p[k], q[k], on_palm[k], alpha[k])
+
+
+@compiled
+def _fold_all(w: Floats, p: Floats, q: Floats, found: Floats) -> None:
+    for k in range(len(w)):
+        first = asin(w[k] / p[k])
+        level = min(max(acos(q[k] / p[k]), first), 0.5 * pi)
+        found[k] = max(_folded_peak(first, level, w[k], p[k], q[k]), _folded_peak(level, 0.5 * pi, w[k], p[k], q[k]))
+
+
+@compiled
+def _cradled(w: float, p: float, q: float, on_palm: float, alpha: float) -> float:
+    """``cradled_radius`` of one hand."""
+    first = _last_tangent(w, p, q, alpha)
+    last = _last_reached(first, w, p, q, alpha) if np.isnan(on_palm) else 0.5 * pi - 2.0 * atan2(w, on_palm)
+    stationary = _golden_maximum(False, first, max(first, last), w, p, q, alpha, GOLDEN_STEPS)
+    return float(np.fmax(np.fmax(_radius_at_tip(first, w, p, q, alpha), stationary), on_palm))
+
+
+@compiled
+def _folded_peak(low: float, high: float, w: float, p: float, q: float) -> float:
     """Highest of the peaks between two leans: every peak on a grid is refined."""
-    shares = np.linspace(0.0, 1.0, NODES + 1)[:, None]
-    leans = low + shares * (high - low)
-    values = _folded_at(leans, w, p, q)
-    walled = np.pad(values, ((1, 1), (0, 0)), constant_values=-np.inf)
-    node, hand = np.nonzero((values >= walled[:-2]) & (values >= walled[2:]))
-    ends = leans[np.maximum(node - 1, 0), hand], leans[np.minimum(node + 1, NODES), hand]
-    w, p, q = w[hand], p[hand], q[hand]
-    best: Floats = values.max(axis=0)
-    np.maximum.at(best, hand, golden_maximum(lambda lean: _folded_at(lean, w, p, q), *ends, KINKED_STEPS))
+    step = (high - low) / NODES
+    best = before = -np.inf
+    now = _folded_at(low, w, p, q)
+    for k in range(NODES + 1):
+        after = _folded_at(low + (k + 1) * step, w, p, q) if k < NODES else -np.inf
+        if now >= before and now >= after:
+            left, right = low + max(k - 1, 0) * step, low + min(k + 1, NODES) * step
+            best = max(best, now, _golden_maximum(True, left, right, w, p, q, 0.0, KINKED_STEPS))
+        before, now = now, after
     return best
 
 
-def golden_maximum(
-    function: Callable[[Floats], Floats], low: Floats, high: Floats, steps: int = GOLDEN_STEPS
-) -> Floats:
-    """Largest values met by golden section searches for functions with one peak in [low, high]."""
+@compiled
+def _golden_maximum(
+    folded: bool, low: float, high: float, w: float, p: float, q: float, alpha: float, steps: int
+) -> float:
+    """Largest value met by a golden section search for a function of the lean with one peak in [low, high]."""
     left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_left, at_right = function(left), function(right)
-    best = np.fmax(at_left, at_right)
+    at_left, at_right = _radius(folded, left, w, p, q, alpha), _radius(folded, right, w, p, q, alpha)
+    best = float(np.fmax(at_left, at_right))
     for _ in range(steps):
-        falls = at_left > at_right
-        low, high = np.where(falls, low, left), np.where(falls, right, high)
-        fresh = np.where(falls, high - GOLDEN * (high - low), low + GOLDEN * (high - low))
-        value = function(fresh)
-        left, right = np.where(falls, fresh, right), np.where(falls, left, fresh)
-        at_left, at_right = np.where(falls, value, at_right), np.where(falls, at_left, value)
-        best = np.fmax(best, value)
+        if at_left > at_right:
+            high, right, at_right = right, left, at_left
+            left = high - GOLDEN * (high - low)
+            at_left = _radius(folded, left, w, p, q, alpha)
+            best = float(np.fmax(best, at_left))
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + GOLDEN * (high - low)
+            at_right = _radius(folded, right, w, p, q, alpha)
+            best = float(np.fmax(best, at_right))
     return best
 
 
-def _tangent_lasts(lean: Floats, w: Floats, p: Floats, q: Floats, alpha: Floats | float) -> NDArray[np.bool_]:
-    """Whether at this lean the distal link is longer than its tangent to a disk that it touches at -alpha."""
-    half = 0.5 * (lean - alpha)
-    interior = (w + (p - q) * np.sin(lean)) * np.sin(half)
-    return np.asarray(q * np.cos(half) * np.cos(lean) >= interior)
+@compiled
+def _radius(folded: bool, lean: float, w: float, p: float, q: float, alpha: float) -> float:
+    """What is searched for its maximum."""
+    return _folded_at(lean, w, p, q) if folded else _radius_at_tip(lean, w, p, q, alpha)
 
 
-def _radius_at_tip(lean: Floats, w: Floats, p: Floats, q: Floats, alpha: Floats | float) -> Floats:
-    """Radius touched at -alpha by the tip, and tangentially by the proximal link at this lean."""
-    sine, cosine = np.sin(lean), np.cos(lean)
-    level = 1.0 - np.sin(alpha) * sine
-    share = sine**2 * np.cos(alpha) + cosine * level
-    root = np.sqrt(np.maximum(_under(lean, w, p, q, alpha), 0.0))
-    return np.asarray(((w + p * sine) * share + sine * root) / (2.0 * level - cosine**2))
-
-
-def _under(lean: Floats, w: Floats, p: Floats, q: Floats, alpha: Floats | float) -> Floats:
-    """What stands under the root: negative where the tip cannot reach that point of any disk."""
-    sine = np.sin(lean)
-    weight = 1.0 + sine**2 - 2.0 * np.sin(alpha) * sine
-    return np.asarray(weight * q**2 - (2.0 * (w + p * sine) * np.sin(0.5 * (lean - alpha)) ** 2) ** 2)
-
-
-def _bisected(holds: Callable[[Floats], NDArray[np.bool_]], low: Floats, high: Floats) -> Floats:
-    """The last place at which a condition that holds at ``low`` still does."""
+@compiled
+def _last_tangent(w: float, p: float, q: float, alpha: float) -> float:
+    """The last lean at which the distal link is longer than its tangent to a disk that it touches at -alpha."""
+    low, high = alpha, 0.5 * pi
     for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        true = holds(middle)
-        low, high = np.where(true, middle, low), np.where(true, high, middle)
+        lean = 0.5 * (low + high)
+        half = 0.5 * (lean - alpha)
+        if q * cos(half) * cos(lean) >= (w + (p - q) * sin(lean)) * sin(half):
+            low = lean
+        else:
+            high = lean
     return low
 
 
-def _folded_at(lean: Floats, w: Floats, p: Floats, q: Floats) -> Floats:
+@compiled
+def _last_reached(low: float, w: float, p: float, q: float, alpha: float) -> float:
+    """The last lean, from ``low`` on, at which the tip reaches that point of a disk."""
+    high = 0.5 * pi
+    for _ in range(HALVINGS):
+        lean = 0.5 * (low + high)
+        if _under(lean, w, p, q, alpha) >= 0.0:
+            low = lean
+        else:
+            high = lean
+    return low
+
+
+@compiled
+def _radius_at_tip(lean: float, w: float, p: float, q: float, alpha: float) -> float:
+    """Radius touched at -alpha by the tip, and tangentially by the proximal link at this lean."""
+    sine, cosine = sin(lean), cos(lean)
+    level = 1.0 - sin(alpha) * sine
+    share = sine**2 * cos(alpha) + cosine * level
+    root = sqrt(max(_under(lean, w, p, q, alpha), 0.0))
+    return ((w + p * sine) * share + sine * root) / (2.0 * level - cosine**2)
+
+
+@inlined
+def _under(lean: float, w: float, p: float, q: float, alpha: float) -> float:
+    """What stands under the root: negative where the tip cannot reach that point of any disk."""
+    sine = sin(lean)
+    weight = 1.0 + sine**2 - 2.0 * sin(alpha) * sine
+    return weight * q**2 - (2.0 * (w + p * sine) * sin(0.5 * (lean - alpha)) ** 2) ** 2
+
+
+@compiled
+def _folded_at(lean: float, w: float, p: float, q: float) -> float:
     """Largest radius of the folded hold with the proximal contact at elevation ``lean``.
 
     The palm must clear, R (1 + sin) <= w cos; the distal contact lies at half a turn or beyond, and the distal
     link's end not below the palm line, which is the sharper bound where P cos < Q.
     """
-    sine, cosine = np.sin(lean), np.cos(lean)
+    sine, cosine = sin(lean), cos(lean)
     clear = w * cosine / (1.0 + sine)
     beyond = p * sine - w
-    half = 0.5 * (pi - lean + np.arccos(np.minimum(p * cosine / q, 1.0)))
-    below = sine * np.sin(half) - cosine * np.cos(half)
-    interior = beyond * np.cos(half) / below
-    reached = w - (p - q) * sine
+    half = 0.5 * (pi - lean + acos(min(p * cosine / q, 1.0)))
+    below = sine * sin(half) - cosine * cos(half)
+    interior = beyond * cos(half) / below
+    if interior * cosine <= w - (p - q) * sine:
+        return min(clear, interior)
     under = (1.0 + sine**2) * q**2 - (beyond * (1.0 + cosine)) ** 2
-    tip = (beyond * (sine**2 - cosine) + sine * np.sqrt(np.maximum(under, 0.0))) / (1.0 + sine**2)
-    tip = np.where(under >= 0.0, tip, -1.0)
-    return np.minimum(clear, np.where(interior * cosine <= reached, interior, tip))
+    if under < 0.0:
+        return min(clear, -1.0)
+    return min(clear, (beyond * (sine**2 - cosine) + sine * sqrt(under)) / (1.0 + sine**2))

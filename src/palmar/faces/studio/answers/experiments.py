@@ -22,7 +22,7 @@ from palmar.studies.source_numbers import source_numbers
 
 
 class Shown(Value):
-    """One figure by its number, the numbers of one chapter of the source, or the facts about the case; else the list of figures."""
+    """One figure by its number, the numbers of a chapter, or the facts about the case; else the list of figures."""
 
     figure: str | None = None
     numbers: Annotated[int, Field(ge=1, le=8, strict=True)] | None = None

@@ -14,6 +14,7 @@ from palmar.faces.region_records import answers_record
 from palmar.faces.studio.answers.drawing import MM, drawing, shown
 from palmar.faces.studio.answers.library import case_value
 from palmar.faces.studio.answers.part import Part, Question, Stage
+from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
 from palmar.models.closure import Closure
 from palmar.models.guarantee import Guarantee
@@ -24,7 +25,13 @@ from palmar.regions.build import build_region, takes_milliseconds
 from palmar.regions.region import Model, Region
 from palmar.studies.behaviour_region import behaviour_region
 from palmar.studies.closure import closure_answer, closure_verdict
-from palmar.studies.jointed_closure import bends, jointed_closure
+from palmar.studies.jointed_closure import (
+    JointedClosure,
+    bends,
+    bends_in_closed_form,
+    jointed_closure,
+    jointed_verdict,
+)
 from palmar.studies.region_questions import Questions, answers
 from palmar.studies.run_behaviour import Circumstances
 
@@ -48,27 +55,33 @@ class Look(Value):
 def at_once(asked: Question) -> Iterator[Part]:
     """Within milliseconds: what is in closed form, its outlines a little coarser than the command line's."""
     case, wanted = asked.required_case, asked.parameters(Look)
-    yield Part("drawing", {**drawing(case), **case_value(case)}, "quick")
-    if isinstance(case.object, Disk):
-        known = closure_record(closure_verdict(case))
-        words = ["kept straight; what bent fingers hold follows"] if bends(case) else []
-        yield Part("closure", {**known, "notes": words}, "quick", Guarantee.CLOSED_FORM)
+    if bends_in_closed_form(case):
+        yield _bent(case, jointed_verdict(case), "quick")
+    elif isinstance(case.object, Disk) and not bends(case):
+        yield Part("closure", closure_record(closure_verdict(case)), "quick", Guarantee.CLOSED_FORM)
     for model in _each(wanted):
         if takes_milliseconds(case, model, wanted.closure):
             yield _region(case, model, wanted.closure, QUICK_TOLERANCE * case.hand.finger_length, "quick")
 
 
-def soon(asked: Question) -> Iterator[Part]:
-    """Within a tenth of a second or so: the command line's numbers, but simulated regions with a coarse spacing."""
+def roughly(asked: Question) -> Iterator[Part]:
+    """Within a tenth of a second or so: simulated regions, with a coarse spacing."""
     case, wanted = asked.required_case, asked.parameters(Look)
     for model in _each(wanted):
-        if not _is_slow(case, model, wanted.closure) and wanted.settled:
-            yield _region(case, model, wanted.closure, None, "settled")
+        if not takes_milliseconds(case, model, wanted.closure):
+            coarse = COARSE[case.support.kind] * case.hand.finger_length if model is Model.EXACT else None
+            yield _region(case, model, wanted.closure, coarse, "quick" if coarse else "settled")
+
+
+def exactly(asked: Question) -> Iterator[Part]:
+    """The command line's numbers where they take no longer than that, and the drawing."""
+    case, wanted = asked.required_case, asked.parameters(Look)
     for model in _each(wanted):
-        if _is_slow(case, model, wanted.closure):
-            yield _region(case, model, wanted.closure, COARSE[case.support.kind] * case.hand.finger_length, "quick")
+        if wanted.settled and _is_settled_soon(case, model, wanted.closure):
+            yield _region(case, model, wanted.closure, None, "settled")
     if not bends(case):
-        yield _closure(case)
+        yield Part("closure", closure_record(closure_answer(case)), "settled", Guarantee.CLOSED_FORM)
+    yield Part("drawing", {**drawing(case), **case_value(case)})
 
 
 def at_last(asked: Question) -> Iterator[Part]:
@@ -77,14 +90,14 @@ def at_last(asked: Question) -> Iterator[Part]:
     if not wanted.settled:
         return
     if bends(case):
-        yield _closure(case)
+        yield _bent(case, jointed_closure(case), "settled")
     for model in _each(wanted):
         try:
             region = build_region(case, model, wanted.closure)
         except NotCoveredError as error:
             yield _uncovered(model, error, "settled")
             continue
-        if _is_slow(case, model, wanted.closure):
+        if model is Model.EXACT and not _is_settled_soon(case, model, wanted.closure):
             yield Part("region", region_value(case, region), "settled", region.guarantee)
         said = answers_record(case, answers(case, region, model, wanted.closure, Questions()))
         yield Part("validity", {"model": model.value, **said})
@@ -111,18 +124,17 @@ def _each(wanted: Look) -> tuple[Model, ...]:
     return tuple(dict.fromkeys(wanted.models))
 
 
-def _is_slow(case: Case, model: Model, closure: Closure) -> bool:
-    """Whether a region is simulated, so that it comes twice: with a coarse spacing and with the command line's."""
-    return model is Model.EXACT and not takes_milliseconds(case, model, closure)
+def _is_settled_soon(case: Case, model: Model, closure: Closure) -> bool:
+    """Whether the command line's region takes a tenth of a second at most: in closed form, or few simulated pushes."""
+    if takes_milliseconds(case, model, closure):
+        return True
+    plain = case.support.wall is None and case.behaviour.name is BehaviourName.CLOSE and not case.ranges
+    return plain and case.support.kind is SupportKind.TABLE
 
 
-def _closure(case: Case) -> Part:
-    if bends(case):
-        found = jointed_closure(case)
-        return Part(
-            "closure", jointed_record(case.hand, found), "settled", Guarantee.CLOSED_FORM if found.cases else None
-        )
-    return Part("closure", closure_record(closure_answer(case)), "settled", Guarantee.CLOSED_FORM)
+def _bent(case: Case, found: JointedClosure, stage: Stage) -> Part:
+    guarantee = Guarantee.CLOSED_FORM if found.cases else None
+    return Part("closure", jointed_record(case.hand, found), stage, guarantee)
 
 
 def _region(case: Case, model: Model, closure: Closure, tolerance: float | None, stage: Stage) -> Part:

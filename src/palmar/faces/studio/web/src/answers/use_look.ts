@@ -16,6 +16,8 @@ export interface Look {
   readonly quick: ReadonlySet<string>;
   /** Whether the verdict is a quick one, to be followed by the whole. */
   readonly verdictQuick: boolean;
+  /** The verdict is that of an earlier case: this one's is still to come. */
+  readonly verdictLate: boolean;
   readonly validity: ValidityValue | null;
   /** The regions are those of an earlier case: this one's are still to come. */
   readonly late: boolean;
@@ -41,6 +43,7 @@ export function useLook(connection: Connection, file: CaseFile, models: readonly
     return {
       closure: (parts.get("closure")?.value ?? null) as ClosureRecord | null,
       verdictQuick: parts.get("closure")?.stage === "quick",
+      verdictLate: (parts.get("closure")?.seq ?? newest) < newest,
       validity: (parts.get(`validity ${models[0]}`)?.value ?? null) as ValidityValue | null,
       drawing: (parts.get("drawing")?.value ?? null) as DrawingValue | null,
       regions: values.filter((each): each is RegionValue => "record" in each),

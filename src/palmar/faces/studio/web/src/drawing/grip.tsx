@@ -1,6 +1,6 @@
 /** A grip: a point of the drawing that can be dragged with pointer or finger, and moved with the arrow keys. */
 
-import { useRef, type KeyboardEvent, type PointerEvent } from "react";
+import { useEffect, useLayoutEffect, useRef, type KeyboardEvent, type PointerEvent, type RefObject } from "react";
 import { flushSync } from "react-dom";
 import type { Point } from "../case/case_file";
 import { add, minus } from "../case/plane";
@@ -29,6 +29,14 @@ interface GripProps {
   readonly step: number;
   readonly onSettle: () => void;
   readonly onHold: (held: boolean) => void;
+  /** Whether a question raised now would be asked at once. */
+  readonly isIdle: () => boolean;
+}
+
+/** What is dragged, and from where: the grip less the pointer (mm), and the drawing's corner (px). */
+interface Held {
+  readonly from: Point;
+  readonly corner: Point;
 }
 
 const ARROWS: Readonly<Record<string, Point>> = {
@@ -43,26 +51,30 @@ const SHAPES = {
   diamond: "M0-7.5 7.5 0 0 7.5-7.5 0Z",
 };
 
-export function Grip({ grip, view, size, step, onSettle, onHold }: GripProps) {
-  const held = useRef<Point | null>(null);
+export function Grip({ grip, view, size, step, onSettle, onHold, isIdle }: GripProps) {
+  const held = useRef<Held | null>(null);
   const [x, y] = toScreen(view, size, grip.at);
 
-  const at = (event: PointerEvent<SVGGElement>): Point => {
-    const box = (event.currentTarget.ownerSVGElement as SVGSVGElement).getBoundingClientRect();
-    return toPlane(view, size, [event.clientX - box.left, event.clientY - box.top]);
-  };
+  const at = (event: { clientX: number; clientY: number }, corner: Point): Point =>
+    toPlane(view, size, [event.clientX - corner[0], event.clientY - corner[1]]);
   const down = (event: PointerEvent<SVGGElement>) => {
     if (event.button !== 0) return;
     event.stopPropagation();
     event.currentTarget.setPointerCapture(event.pointerId);
-    held.current = minus(grip.at, at(event));
+    const box = (event.currentTarget.ownerSVGElement as SVGSVGElement).getBoundingClientRect();
+    const corner = [box.left, box.top] as const;
+    held.current = { from: minus(grip.at, at(event, corner)), corner };
     onHold(true);
   };
-  const move = (event: PointerEvent<SVGGElement>) => {
-    const from = held.current;
+  const move = (event: { clientX: number; clientY: number }) => {
+    const now = held.current;
     // At once, so that the frame about to be painted shows it, and the question it raises goes out before that.
-    if (from) flushSync(() => grip.onDrag(add(at(event), from)));
+    if (now) flushSync(() => grip.onDrag(add(at(event, now.corner), now.from)));
   };
+  const rawMove = (event: MouseEvent) => {
+    if (isIdle()) move(event);
+  };
+  const ref = useRawMoves(rawMove);
   const up = () => {
     if (!held.current) return;
     held.current = null;
@@ -83,6 +95,7 @@ export function Grip({ grip, view, size, step, onSettle, onHold }: GripProps) {
   };
   return (
     <g
+      ref={ref}
       className="grip"
       data-grip={grip.id}
       transform={`translate(${x} ${y})`}
@@ -104,4 +117,20 @@ export function Grip({ grip, view, size, step, onSettle, onHold }: GripProps) {
       <path className="grip-mark" d={SHAPES[grip.look ?? "round"]} />
     </g>
   );
+}
+
+/** Moves as the pointer makes them, up to a frame before the browser tells of them; without such news only the latter. */
+function useRawMoves(onMove: (event: MouseEvent) => void): RefObject<SVGGElement | null> {
+  const element = useRef<SVGGElement>(null);
+  const latest = useRef(onMove);
+  useLayoutEffect(() => {
+    latest.current = onMove;
+  });
+  useEffect(() => {
+    const grip = element.current;
+    const tell = (event: Event) => latest.current(event as MouseEvent);
+    grip?.addEventListener("pointerrawupdate", tell);
+    return () => grip?.removeEventListener("pointerrawupdate", tell);
+  }, []);
+  return element;
 }

@@ -27,7 +27,7 @@ interface StageProps {
 }
 
 export function Stage({ look, mode, shown }: StageProps) {
-  const { file, edit, settle } = useStudio();
+  const { file, edit, settle, connection } = useStudio();
   const [held, setHeld] = useState(false);
   const shape = useMemo(() => shapeOf(file), [file]);
   const fingers = useMemo(() => openFingers(shape), [shape]);
@@ -37,6 +37,7 @@ export function Stage({ look, mode, shown }: StageProps) {
     caseBox(shape, fingers),
   );
   const hold = useCallback((now: boolean) => setHeld(now), []);
+  const isIdle = useCallback(() => connection.isIdle("look"), [connection]);
   return (
     <Drawing
       id="stage"
@@ -65,7 +66,9 @@ export function Stage({ look, mode, shown }: StageProps) {
         <>
           {shown.centre && <AllowedError look={look} layer={layer} />}
           {!mode.moving && <Dimensions shape={shape} fingers={fingers} view={layer.view} size={layer.size} />}
-          {shown.grips && <Grips file={file} layer={layer} onEdit={edit} onSettle={settle} onHold={hold} />}
+          {shown.grips && (
+            <Grips file={file} layer={layer} onEdit={edit} onSettle={settle} onHold={hold} isIdle={isIdle} />
+          )}
         </>
       )}
     />
@@ -78,9 +81,10 @@ interface GripsProps {
   readonly onEdit: (to: CaseFile, gesture: string) => void;
   readonly onSettle: () => void;
   readonly onHold: (held: boolean) => void;
+  readonly isIdle: () => boolean;
 }
 
-const Grips = memo(function Grips({ file, layer, onEdit, onSettle, onHold }: GripsProps) {
+const Grips = memo(function Grips({ file, layer, onEdit, onSettle, onHold, isIdle }: GripsProps) {
   const step = dragStep(layer.view);
   return (
     <g className="grips">
@@ -93,6 +97,7 @@ const Grips = memo(function Grips({ file, layer, onEdit, onSettle, onHold }: Gri
           step={step}
           onSettle={onSettle}
           onHold={onHold}
+          isIdle={isIdle}
         />
       ))}
     </g>

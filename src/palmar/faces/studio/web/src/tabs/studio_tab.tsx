@@ -74,7 +74,7 @@ export function StudioTab() {
         )}
       </div>
       <div className="stack answers" aria-live="off">
-        <div className="card">
+        <div className={`card${look.verdictLate ? " late" : ""}`}>
           {look.closure ? (
             <ClosureFacts closure={look.closure} disk={file.object.shape === "disk"} quick={look.verdictQuick} />
           ) : (

@@ -76,6 +76,11 @@ export class Connection {
     this.pump(channel);
   }
 
+  /** Whether a question would go out at once. */
+  isIdle(kind: string): boolean {
+    return this.channel(key(kind)).free && this.status === "ready";
+  }
+
   private channel(name: string): Channel {
     let found = this.channels.get(name);
     if (!found) this.channels.set(name, (found = { out: null, free: true, waiting: null, patience: undefined }));
