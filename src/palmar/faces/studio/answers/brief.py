@@ -100,7 +100,7 @@ def at_last(asked: Question) -> Iterator[Part]:
 
 
 def front(asked: Question) -> Iterator[Part]:
-    """The front of size against tolerated error, once more with each point."""
+    """The front of size against tolerated error, once more with each point; of no points nothing, which ends a search."""
     given = asked.parameters(Briefed)
     brief = brief_of(given)
     points: list[dict[str, Any]] = []
@@ -109,7 +109,7 @@ def front(asked: Question) -> Iterator[Part]:
         shown = _hand_value(brief, option.hand, option.place, error)
         points.append({"size_m": option.size, "error_m": error, **shown})
         yield Part("front", {"points": list(points), "of": given.front})
-    if not points:
+    if given.front > 0 and not points:
         raise InputError("front", None, "there is none: no hand meets the brief, whatever the error")
 
 

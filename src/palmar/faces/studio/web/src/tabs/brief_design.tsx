@@ -21,9 +21,9 @@ export function BriefDesign() {
   const { edit, openTab } = useStudio();
   const { brief, points, front } = useDesigning();
   const { design, fresh } = useFound();
-  const [pointed, point] = useState<FrontPoint | null>(null);
+  const [pointed, point] = useState<number | null>(null);
   const known = (front.parts.get("front")?.value as FrontValue | undefined)?.points ?? [];
-  const hovered = points > 0 && pointed && known.includes(pointed) ? pointed : null;
+  const hovered = (points > 0 && known.find((each) => each.error_m === pointed)) || null;
   const hand = hovered ?? design?.hand ?? null;
   const load = (found: FoundHand) => {
     edit(found.case, null);
@@ -57,7 +57,7 @@ export function BriefDesign() {
             <p className="muted pad">No hand to draw.</p>
           )}
         </div>
-        <Front shown={hovered} onShow={point} onPick={load} />
+        <Front shown={hovered} onShow={(to) => point(to?.error_m ?? null)} onPick={load} />
       </div>
       <div className="stack">
         <BriefAnswer />
