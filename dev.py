@@ -31,6 +31,8 @@ PYTHON = BIN / ("python.exe" if os.name == "nt" else "python")
 LOCK = ROOT / "requirements.lock"
 STAMP = VENV / "palmar-stamp"
 GROUPS = ("test", "lint", "docs", "build")
+EXTRAS = ("mujoco", "realtime", "sweep", "dask", "studio")
+"""All but ``gpu``: half a gigabyte that is of no use without a device."""
 OLDEST_PYTHON = (3, 11)
 
 
@@ -94,8 +96,8 @@ def docs() -> None:
 
 
 def bench(*words: str) -> None:
-    if words[:1] == ("comparison",):
-        call(PYTHON, "benchmarks/comparison.py", *words[1:])
+    if words[:1] in (("comparison",), ("gpu",)):
+        call(PYTHON, f"benchmarks/{words[0]}.py", *words[1:])
         return
     call(PYTHON, "-m", "pytest", "benchmarks", "-n0", "--benchmark-only", *words)
 
@@ -119,8 +121,9 @@ def web() -> None:
 
 def lock() -> None:
     groups = [word for group in GROUPS for word in ("--group", group)]
+    extras = [word for extra in EXTRAS for word in ("--extra", extra)]
     call(
-        BIN / "uv", "pip", "compile", "pyproject.toml", *groups, "--all-extras", "--universal", "--generate-hashes",
+        BIN / "uv", "pip", "compile", "pyproject.toml", *groups, *extras, "--universal", "--generate-hashes",
         "--no-emit-index-url", "--no-annotate", "--no-header", "--quiet", "--output-file", LOCK,
     )  # fmt: skip
 

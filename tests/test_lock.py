@@ -27,6 +27,13 @@ def test_every_direct_requirement_is_pinned_and_the_build_backend_too():
         assert re.search(rf"^{name}==", LOCK, re.MULTILINE), name
 
 
+def test_every_extra_but_that_for_gpus_is_pinned():
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    pinned = set(re.findall(r"^([a-z0-9-]+)==", LOCK, re.MULTILINE))
+    names = {extra: {re.split(r"[<>=\[]", each)[0] for each in wanted} for extra, wanted in extras.items()}
+    assert {extra for extra, wanted in names.items() if not wanted <= pinned} == {"gpu"}
+
+
 def test_lock_of_the_page_has_hashes_and_no_address():
     text = (WEB / "package-lock.json").read_text(encoding="utf-8")
     assert '"resolved"' not in text

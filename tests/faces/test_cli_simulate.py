@@ -3,6 +3,7 @@
 import math
 
 import numba
+import numpy as np
 import pytest
 
 CASE = "chapter3_example"
@@ -124,6 +125,29 @@ def test_a_file_of_starts_gives_one_result_a_row_in_order(palmar, tmp_path):
     assert told[told.index("starts") + 1] == "4"
 
 
+def test_a_device_that_is_not_there_is_one_line_and_never_the_processors_instead(palmar, tmp_path, monkeypatch):
+    monkeypatch.setattr("numba.cuda.is_available", lambda: False)
+    path, spec = starts(tmp_path / "s.csv", "x_mm,y_mm\n500,2283.5\n"), tmp_path / "spec.toml"
+    spec.write_text('[sweep]\ncase = "testbed_table"\n[vary]\n"start.at_mm.0" = [0.0, 1.0]\n')
+    for words in (("simulate", CASE, "--starts", path), ("sweep", spec, "--out", tmp_path / "out")):
+        answer = palmar(*words, "--device", "gpu", "--json")
+        assert (answer.status, answer.out, answer.err.count("\n")) == (2, "", 1)
+        assert 'device "gpu": ' in answer.err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_device_that_is_there_carries_them(palmar, tmp_path, monkeypatch):
+    carried = []
+    monkeypatch.setattr("palmar.worlds.planar.on_gpu.refuse_without_gpu", lambda: None)
+    monkeypatch.setattr(
+        "palmar.worlds.planar.on_gpu.table_ends", lambda world, places: carried.append(places) or world.ends(places)
+    )
+    path = starts(tmp_path / "s.csv", "x_mm,y_mm\n2283.5,500\n")
+    answer = palmar("simulate", CASE, "--starts", path, "--device", "gpu", "--json")
+    assert [each["outcome"] for each in answer.record["results"]] == ["frictional"]
+    assert np.allclose(carried, [[[2.2835, 0.5]]])
+
+
 def test_a_file_with_a_heading_only_has_no_results(palmar, tmp_path):
     path = starts(tmp_path / "s.csv", "x_mm,y_mm\n")
     assert palmar("simulate", CASE, "--starts", path, "--json").record == {"results": []}
@@ -171,6 +195,7 @@ def test_a_file_that_cannot_be_read_is_one_line(palmar, tmp_path):
         (["--start", "0,900", "--velocity", "-5,0"], "quasi-static sliding"),
         (["--start", "0,900", "--starts", "x.csv"], "cannot be combined"),
         (["--world", "moon"], "planar"),
+        (["--device", "gpu"], "--device = gpu: is for --starts"),
     ],
 )
 def test_bad_options_are_one_line(palmar, words, said):

@@ -61,6 +61,7 @@ def test_a_picture(palmar, swept):
         (("sweep_table", "--out", "x", "--address", "tcp://a:1"), "--address"),
         (("sweep_table", "--out", "x", "--engine", "dask"), "takes --address"),
         (("sweep_table", "--out", "x", "--workers", "0"), "--workers = 0: must be 1 to 1024"),
+        (("sweep_table", "--out", "x", "--device", "gpu", "--engine", "dask", "--address", "tcp://a:1"), "--device"),
         (("status", "nowhere"), "nowhere: holds no sweep"),
         (("query", "nowhere", "--sql", "SELECT 1"), "nowhere: holds no sweep"),
         (("plot", "nowhere", "--by", "a,b,c", "--out", "x.svg"), "--by = 'a,b,c': must be KEY or KEY,KEY"),

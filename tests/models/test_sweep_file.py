@@ -1,8 +1,11 @@
 """The specification of a sweep: what is read, and what is refused in one line."""
 
+from dataclasses import replace
+
 import pytest
 
 from palmar.errors import InputError
+from palmar.models.device import Device
 from palmar.models.sweep_file import open_sweep, parse_sweep, shipped_sweeps
 
 GOOD = """
@@ -39,6 +42,7 @@ def test_the_digest_knows_the_case_and_the_draws_but_not_the_name():
     )
     for old, new in changes:
         assert parse_sweep(GOOD.replace(old, new)).digest != one.digest
+    assert replace(one, device=Device.GPU).digest != one.digest
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from palmar.models.case import Case
 from palmar.models.case_file import build_case
+from palmar.models.device import Device
 
 Floats = NDArray[np.float64]
 
@@ -63,7 +64,7 @@ class Axis:
 class Sweep:
     """``base``: the case as TOML text, every key in it; ``samples``: draws for each combination of the grids.
 
-    ``uncertainty`` (m), ``approaches``: of the command plan.
+    ``uncertainty`` (m), ``approaches``: of the command plan. ``device``: of the command simulate.
     """
 
     command: SweepCommand
@@ -73,6 +74,7 @@ class Sweep:
     seed: int = 0
     uncertainty: float = 0.010
     approaches: int = 3
+    device: Device = Device.CPU
 
     @cached_property
     def grids(self) -> tuple[Axis, ...]:
@@ -89,6 +91,7 @@ class Sweep:
         """Of everything that the rows depend on (sha256, hexadecimal)."""
         axes = [(each.key, each.spread.value, each.numbers) for each in self.axes]
         whole = [self.command.value, self.base, axes, self.samples, self.seed, self.uncertainty, self.approaches]
+        whole += [self.device.value] if self.device is not Device.CPU else []
         return hashlib.sha256(json.dumps(whole).encode()).hexdigest()
 
     @cached_property

@@ -12,6 +12,7 @@ from palmar.errors import NotCoveredError
 from palmar.mechanics.pushing.closing import Ends
 from palmar.models.behaviour import BehaviourName
 from palmar.models.case import Case
+from palmar.models.device import Device
 from palmar.models.jointed_motion import JOINTED_CLOSING
 from palmar.models.outcome import Outcome
 from palmar.models.support import SupportKind
@@ -55,14 +56,25 @@ def simulate_start(case: Case, start: ArrayLike) -> Simulation:
     )
 
 
-def simulate_starts(case: Case, starts: ArrayLike) -> Ends:
-    """Simulate starts (N, 2 to 5) in SI: x, y[, theta[, vx, vy]]."""
+def simulate_starts(case: Case, starts: ArrayLike, device: Device = Device.CPU) -> Ends:
+    """Simulate starts (N, 2 to 5) in SI: x, y[, theta[, vx, vy]].
+
+    On a GPU, disks only: closed on by straight fingers on a table, or floating. What the event-to-event kernel leaves open
+    is left to processors. Raises NotCoveredError for other cases, and where no GPU is.
+    """
     if case.support.kind is SupportKind.FREE:
         from palmar.worlds.planar.free import free_world
 
-        return free_world(_closing(case)).ends(_moving(case, starts))
+        world, rows = free_world(_closing(case)), _moving(case, starts)
+        if device is Device.CPU:
+            return world.ends(rows)
+        from palmar.worlds.planar.on_gpu import free_ends
+
+        return free_ends(world, rows)
     places = _places(case, np.atleast_2d(np.asarray(starts, dtype=float)))
-    return _ends(case, places)
+    if device is Device.GPU:
+        _refuse_uncovered_by_gpu(case)
+    return _ends(case, places, device)
 
 
 def _simulate_free(case: Case, start: ArrayLike) -> Simulation:
@@ -110,7 +122,7 @@ def _moving(case: Case, starts: ArrayLike) -> NDArray[np.float64]:
     return wide
 
 
-def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
+def _ends(case: Case, places: NDArray[np.float64], device: Device = Device.CPU) -> Ends:
     """Event to event where that kernel covers the case, else in steps; jointed motions stretch by stretch."""
     if case.behaviour.name in JOINTED_CLOSING:
         return _jointed_ends(case, places)
@@ -118,7 +130,7 @@ def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
         from palmar.worlds.planar.stepping import stepping_world
 
         return stepping_world(case).ends(places)
-    ends = table_world(case).ends(places[:, :2])
+    ends = _event_to_event(case, places[:, :2], device)
     codes, poses, fingers = ends.codes.copy(), ends.poses.copy(), ends.fingers.copy()
     poses[:, 2] += places[:, 2]
     left = np.flatnonzero(codes == Outcome.UNDECIDED.code)
@@ -128,6 +140,21 @@ def _ends(case: Case, places: NDArray[np.float64]) -> Ends:
         rest = stepping_world(case).ends(places[left])
         codes[left], poses[left], fingers[left] = rest.codes, rest.poses, rest.fingers
     return Ends(codes, poses, fingers)
+
+
+def _event_to_event(case: Case, places: NDArray[np.float64], device: Device) -> Ends:
+    if device is Device.CPU:
+        return table_world(case).ends(places)
+    from palmar.worlds.planar.on_gpu import table_ends
+
+    return table_ends(table_world(case), places)
+
+
+def _refuse_uncovered_by_gpu(case: Case) -> None:
+    if case.behaviour.name in JOINTED_CLOSING or not covered(case):
+        raise NotCoveredError(
+            'device "gpu": on a table only straight fingers closing on a disk that is pressed about its centre, and no wall'
+        )
 
 
 def _jointed_ends(case: Case, places: NDArray[np.float64]) -> Ends:

@@ -10,11 +10,13 @@ import numpy as np
 from cyclopts import App, Parameter
 
 from palmar.errors import InputError
+from palmar.faces.cli.device_option import Processor, device_of
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, numbers, show
 from palmar.faces.cli.texts import table, titled
 from palmar.faces.cli.world_option import Physics, maker_of
 from palmar.faces.records import simulation_record, starts_record
 from palmar.models.case import Case
+from palmar.models.device import Device
 from palmar.models.outcome import Outcome
 from palmar.models.shipped import open_case
 
@@ -35,6 +37,7 @@ def simulate(
     velocity: Annotated[Text, Parameter(help="VX,VY in mm/s.")] = None,
     starts: Annotated[Path | None, Parameter(help="A CSV file: x_mm,y_mm[,theta_deg,vx_mm_s,vy_mm_s].")] = None,
     world: Physics = "planar",
+    device: Processor = "cpu",
     animate: Annotated[Path | None, Parameter(help="Also write a film: gif, html, or mp4 (needs ffmpeg).")] = None,
     json: AsJson = False,
     check: Check = False,
@@ -46,11 +49,13 @@ def simulate(
             raise InputError("--starts", None, "cannot be combined with --start, --velocity or --animate")
         from palmar.faces.cli.starts_file import read_starts
 
-        ends = _simulate_starts(given, read_starts(starts), world)
+        ends = _simulate_starts(given, read_starts(starts), world, device_of(device))
         caught = [Outcome.from_code(int(code)).caught for code in ends.codes]
         show(titled(name, given, _counts(ends.codes)), starts_record(ends), json)
         answer(all(caught), check)
         return
+    if device != "cpu":
+        raise InputError("--device", device, "is for --starts FILE.csv")
     if animate is not None:
         from palmar.faces.plots.film import known_ending
 
@@ -79,12 +84,16 @@ def _simulate_start(case: Case, begin: list[float], world: str) -> Simulation:
     return simulate_start(case, begin) if make is None else simulate_start_in(case, begin, make)
 
 
-def _simulate_starts(case: Case, starts: np.ndarray, world: str) -> Ends:
+def _simulate_starts(case: Case, starts: np.ndarray, world: str, device: Device) -> Ends:
     from palmar.studies.simulate import simulate_starts
     from palmar.studies.simulate_in_world import simulate_starts_in
 
     make = maker_of(world)
-    return simulate_starts(case, starts) if make is None else simulate_starts_in(case, starts, make)
+    if make is None:
+        return simulate_starts(case, starts, device)
+    if device is not Device.CPU:
+        raise InputError("--device", device.value, "is for --world planar")
+    return simulate_starts_in(case, starts, make)
 
 
 def _place(case: Case, start: str | None, velocity: str | None) -> list[float]:

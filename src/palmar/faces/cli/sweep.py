@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from contextlib import AbstractContextManager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import App, Parameter
 
 from palmar.errors import InputError, NotCoveredError
+from palmar.faces.cli.device_option import Processor, device_of
 from palmar.faces.cli.pool import counting
 from palmar.faces.cli.printing import AsJson, show
 from palmar.faces.cli.texts import table
 
 if TYPE_CHECKING:
+    from palmar.models.sweep import Sweep
     from palmar.studies.sweep.run import Engine
     from palmar.studies.sweep.store import Store
 
@@ -31,12 +34,13 @@ def sweep(
     engine: Annotated[Literal["local", "dask"], Parameter(help="Processes here, or a Dask cluster.")] = "local",
     address: Annotated[str | None, Parameter(help="Of the Dask scheduler, tcp://HOST:PORT.")] = None,
     workers: Annotated[int | None, Parameter(help="Processes here, else one for each processor.")] = None,
+    device: Processor = "cpu",
     json: AsJson = False,
 ) -> None:
     """Answer every row into Parquet files; the same command goes on where an interrupted one stopped."""
     from palmar.models.sweep_file import open_sweep
 
-    asked = open_sweep(spec)
+    asked = _on_device(open_sweep(spec), device, engine)
     store, run_sweep = _store(out), _parts().run_sweep
     with _engine(engine, address, workers) as chosen, counting(asked.rows, "rows") as report:
         done = run_sweep(asked, store, chosen, report)
@@ -125,6 +129,16 @@ def _store(url: str) -> Store:
     from palmar.studies.sweep.store import Store
 
     return Store(url)
+
+
+def _on_device(asked: Sweep, device: str, engine: str) -> Sweep:
+    from palmar.models.sweep import SweepCommand
+
+    if device == "cpu":
+        return asked
+    if asked.command is not SweepCommand.SIMULATE or engine != "local":
+        raise InputError("--device", device, "is for the command simulate and --engine local")
+    return replace(asked, device=device_of(device))
 
 
 def _engine(name: str, address: str | None, workers: int | None) -> AbstractContextManager[Engine]:

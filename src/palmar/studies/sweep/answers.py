@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import nan, radians
 from typing import Any
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from palmar.errors import PalmarError
 from palmar.models.case import Case
+from palmar.models.device import Device
 from palmar.models.outcome import Outcome
 from palmar.models.sweep import Sweep, SweepCommand
 
@@ -26,7 +28,7 @@ ENDS = ("x_m", "y_m", "theta_rad", "right_rad", "left_rad")
 def answers(sweep: Sweep, given: dict[str, Floats]) -> tuple[Columns, list[str | None]]:
     """Columns of answers (N,) for columns of numbers (N,), and why a row has none."""
     if sweep.command is SweepCommand.SIMULATE:
-        return _simulated(sweep, given, _by_kernel)
+        return _simulated(sweep, given, partial(_by_kernel, sweep.device))
     if sweep.command is SweepCommand.TESTBED:
         return _simulated(sweep, given, _on_the_bed)
     return _one_by_one(sweep, given, {
@@ -88,10 +90,10 @@ def _starts(case: Case, given: dict[str, Floats], rows: NDArray[np.intp]) -> Flo
     return starts
 
 
-def _by_kernel(case: Case, starts: Floats) -> Ends:
+def _by_kernel(device: Device, case: Case, starts: Floats) -> Ends:
     from palmar.studies.simulate import simulate_starts
 
-    ends = simulate_starts(case, starts)
+    ends = simulate_starts(case, starts, device)
     return ends.codes, np.column_stack([ends.poses, ends.fingers])
 
 
