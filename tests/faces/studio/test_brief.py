@@ -78,9 +78,11 @@ def test_a_search_that_takes_long_is_only_begun_if_asked_for(monkeypatch):
 def test_the_front_grows_point_by_point_to_the_command_lines(palmar, tmp_path):
     brief = tmp_path / "roomy.toml"
     brief.write_text("[targets]\nradii_mm = 40\nerror_mm = 30\n[limits]\nlinks = [1]\nmargin = 0\n")
-    fronts = [value["points"] for _, _, value in parts(Kind.BRIEF_FRONT, {"brief": ROOMY, "front": 2})]
+    values = [value for _, _, value in parts(Kind.BRIEF_FRONT, {"brief": ROOMY, "front": 2})]
+    fronts, ends = ([each[name] for each in values] for name in ("points", "least_m"))
     told = palmar("design", brief, "--front", 2, "--cases", 10, "--json").record["front"]
     assert [len(each) for each in fronts] == [1, 2]
+    assert ends[0] == ends[1] == pytest.approx([4.0 * 0.085, 0.045])
     assert [[each["size_m"], each["error_m"]] for each in fronts[-1]] == told
     assert build_case(fronts[-1][1]["case"]).hand.finger_length > 0.04
 

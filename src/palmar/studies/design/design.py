@@ -108,8 +108,7 @@ def stages(brief: DesignBrief, cases: int = CASES, seed: int = 0) -> Iterator[De
         if tried.violations == 0 and not short:
             return
         extra += MORE
-        more = {"error": brief.targets.error * (1.0 + extra)}
-        asked = brief.model_copy(update={"targets": brief.targets.model_copy(update=more)})
+        asked = with_error(brief, brief.targets.error * (1.0 + extra))
 
 
 def _options(brief: DesignBrief) -> tuple[Option, ...]:
@@ -185,14 +184,22 @@ def front_hands(brief: DesignBrief, points: int) -> Iterator[tuple[Option, float
     """
     if brief.targets.radii is None and brief.error == 0.0:
         return
-    largest = 1.5 * brief.targets.error or brief.held[1]
-    for error in map(float, np.linspace(0.0, largest, points)):
+    for error in map(float, np.linspace(0.0, largest_error(brief), points)):
         if error == 0.0 and brief.targets.radii is None:
             continue
-        targets = brief.targets.model_copy(update={"error": error})
-        built = [each for each in _options(brief.model_copy(update={"targets": targets})) if each.size is not None]
+        built = [each for each in _options(with_error(brief, error)) if each.size is not None]
         if built:
             yield min(built, key=lambda each: each.size or 0.0), error
+
+
+def largest_error(brief: DesignBrief) -> float:
+    """Where the front ends (m): half as much again as asked for, or the largest radius where none is."""
+    return 1.5 * brief.targets.error or brief.held[1]
+
+
+def with_error(brief: DesignBrief, error: float) -> DesignBrief:
+    """The brief for another placement error (m)."""
+    return brief.model_copy(update={"targets": brief.targets.model_copy(update={"error": error})})
 
 
 def _extent(brief: DesignBrief) -> float:

@@ -30,7 +30,7 @@ from palmar.models.hand import Hand
 from palmar.models.objects import Disk
 from palmar.models.quantity import Value
 from palmar.studies.design.bounds import bound
-from palmar.studies.design.design import CASES, Design, front_hands, stages
+from palmar.studies.design.design import CASES, Design, front_hands, largest_error, stages, with_error
 from palmar.studies.design.tolerance import Place, case_of, is_exact
 
 
@@ -104,13 +104,24 @@ def front(asked: Question) -> Iterator[Part]:
     given = asked.parameters(Briefed)
     brief = brief_of(given)
     points: list[dict[str, Any]] = []
+    least = _least_at_the_end(brief) if given.front > 0 else None
     for option, error in front_hands(brief, given.front):
         assert option.hand is not None
         shown = _hand_value(brief, option.hand, option.place, error)
         points.append({"size_m": option.size, "error_m": error, **shown})
-        yield Part("front", {"points": list(points), "of": given.front})
+        value = {"points": list(points), "of": given.front, "least_m": least}
+        yield Part("front", value, guarantee=Guarantee.SAMPLED)
     if given.front > 0 and not points:
         raise InputError("front", None, "there is none: no hand meets the brief, whatever the error")
+
+
+def _least_at_the_end(brief: DesignBrief) -> list[float] | None:
+    """Size that no hand undercuts at the front's largest error, and that error (m): about where the front will end."""
+    if brief.targets.radii is None:
+        return None
+    error = largest_error(brief)
+    end = bound(with_error(brief, error), 1)
+    return [end.size, error] if end.because is None else None
 
 
 def _is_soon(brief: DesignBrief) -> bool:

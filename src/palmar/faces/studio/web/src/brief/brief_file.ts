@@ -120,4 +120,6 @@ export interface FrontPoint extends FoundHand {
 export interface FrontValue {
   readonly points: readonly FrontPoint[];
   readonly of: number;
+  /** Least size and error at the front's end, as far as closed forms tell: the axes reach so far from the beginning. */
+  readonly least_m: readonly [size: number, error: number] | null;
 }

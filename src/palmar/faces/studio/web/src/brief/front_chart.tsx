@@ -6,6 +6,8 @@ import type { FrontPoint } from "./brief_file";
 
 interface FrontChartProps {
   readonly points: readonly FrontPoint[];
+  /** Size and error (mm) that the axes reach at least, so that points stay where they are as more come. */
+  readonly end: readonly [size: number, error: number] | null;
   /** Size and error (mm) of the hand that answers the brief. */
   readonly chosen: readonly [size: number, error: number] | null;
   readonly shown: FrontPoint | null;
@@ -15,8 +17,8 @@ interface FrontChartProps {
 
 const [LEFT, TOP, WIDTH, HEIGHT] = [56, 12, 470, 210];
 
-export function FrontChart({ points, chosen, shown, onShow, onPick }: FrontChartProps) {
-  const all = [...points.map(mm), ...(chosen ? [chosen] : [])];
+export function FrontChart({ points, end, chosen, shown, onShow, onPick }: FrontChartProps) {
+  const all = [...points.map(mm), ...(chosen ? [chosen] : []), ...(end ? [end] : [])];
   const [across, up] = [scaleOf(all.map((each) => each[0])), scaleOf([0, ...all.map((each) => each[1])])];
   const x = (size: number) => LEFT + (WIDTH * (size - across.low)) / (across.high - across.low);
   const y = (error: number) => TOP + HEIGHT * (1 - (error - up.low) / (up.high - up.low));

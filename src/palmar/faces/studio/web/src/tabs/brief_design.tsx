@@ -12,6 +12,7 @@ import { useDesigning } from "../brief/use_design";
 import { useElapsed } from "../brief/use_elapsed";
 import { ExportMenu } from "../shell/export_menu";
 import { useStudio } from "../shell/studio_context";
+import type { Guarantee } from "../wire/records";
 import { useAnswer } from "../wire/use_answer";
 
 const LIST = { kind: "briefs" };
@@ -121,7 +122,8 @@ interface FrontProps {
 function Front({ shown, onShow, onPick }: FrontProps) {
   const { brief, front, points, askFront } = useDesigning();
   const { design, fresh } = useFound();
-  const value = points > 0 ? (front.parts.get("front")?.value as FrontValue | undefined) : undefined;
+  const part = points > 0 ? front.parts.get("front") : undefined;
+  const value = part?.value as FrontValue | undefined;
   const busy = points > 0 && front.busy;
   const seconds = useElapsed(busy);
   const size = fresh ? design?.record.size_m : undefined;
@@ -145,7 +147,7 @@ function Front({ shown, onShow, onPick }: FrontProps) {
             Draw the front
           </button>
         )}
-        {value && !busy && <GuaranteeBadge guarantee="sampled" waiting={false} />}
+        {part && !busy && <GuaranteeBadge guarantee={part.guarantee as Guarantee} waiting={false} />}
       </div>
       {points > 0 && front.error && (
         <p className="error" role="alert">
@@ -156,6 +158,7 @@ function Front({ shown, onShow, onPick }: FrontProps) {
         <>
           <FrontChart
             points={value.points}
+            end={value.least_m && [1e3 * value.least_m[0], 1e3 * value.least_m[1]]}
             chosen={size === undefined ? null : [1e3 * size, error]}
             shown={shown}
             onShow={onShow}
