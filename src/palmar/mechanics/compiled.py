@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
+from functools import cache
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from typing import Any, ParamSpec, TypeVar, cast
 
-import numba  # type: ignore[import-untyped,unused-ignore]
+import numba.extending  # type: ignore[import-untyped,unused-ignore]
 
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
@@ -34,6 +35,15 @@ def inlined(function: Callable[Arguments, Result]) -> Callable[Arguments, Result
 def compiled_to_allocate(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
     """As ``compiled``, for the few kernels that make arrays."""
     return _kernel(function)
+
+
+@cache
+def over_arrays(function: Callable[..., float], called: tuple[Callable[..., float], ...]) -> Callable[..., Any]:
+    """A plain function of numbers, and what it calls, as a numpy function of arrays; both stay what they are."""
+    for each in called:
+        numba.extending.register_jitable(each)
+    vectorize: Any = numba.vectorize
+    return cast(Callable[..., Any], vectorize(cache=True)(function))
 
 
 CONTRACT = {"contract"}

@@ -104,3 +104,12 @@ def test_map_points():
     found = closure_map(np.array([0.25, 0.7, 0.0, 0.5]), np.array([0.5, 0.3, 0.5, 0.5]))
     assert found.radius_max["overall"] == pytest.approx([OPTIMUM, np.nan, 0.5, np.nan], nan_ok=True)
     assert found.radius_min["distal_proximal"][0] == 0.0
+
+
+def test_a_few_hands_are_worked_out_as_many_are():
+    rng = np.random.default_rng(3)
+    w, p, q = rng.uniform(0.0, 1.0, (3, 40))
+    many = folded_radius(w, p, q), four_jointed_radii(w, p, q).distal_proximal.max
+    few = [[folded_radius(*each), four_jointed_radii(*each).distal_proximal.max] for each in zip(w, p, q, strict=True)]
+    np.testing.assert_allclose(np.array(few, dtype=float).T, np.array(many), rtol=1e-12)
+    assert 5 < np.isnan(many[0]).sum() < 35

@@ -7,18 +7,19 @@ back under the disk, carries it. Both are the same geometry with opposite signs 
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, cos, nan, pi, sin, sqrt
+from collections.abc import Callable
+from math import acos, asin, atan2, cos, inf, isnan, nan, pi, sin, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-
-from palmar.mechanics.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 GOLDEN = (5.0**0.5 - 1.0) / 2.0
 GOLDEN_STEPS, HALVINGS, NODES = 44, 52, 300
 KINKED_STEPS = 70
 """Steps towards a peak that is a kink, where the value is only as good as the place."""
+FEW = 32
+"""Hands that are not worth loading the compiler for."""
 
 
 def cradled_radius(w: Floats, p: Floats, q: Floats, on_palm: Floats, alpha: Floats | float = 0.0) -> Floats:
@@ -28,9 +29,7 @@ def cradled_radius(w: Floats, p: Floats, q: Floats, on_palm: Floats, alpha: Floa
     the tip is the tangent point, and beyond it until it is stationary or the disk comes down to the palm (radius
     ``on_palm``, NaN where the tip cannot come that high on a disk on the palm).
     """
-    found = np.empty_like(w)
-    _cradle_all(w, p, q, on_palm, np.full_like(w, alpha), found)
-    return found
+    return _for_each(_cradled, w, p, q, on_palm, np.full_like(w, alpha))
 
 
 def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) -> Floats:
@@ -42,8 +41,7 @@ def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) 
     w, p, q = (each.ravel() for each in columns)
     result = np.full_like(w, nan)
     some = np.flatnonzero(folds(w, p, q))
-    found = np.empty(len(some))
-    _fold_all(w[some], p[some], q[some], found)
+    found = _for_each(_folded, w[some], p[some], q[some])
     result[some] = np.where(found > 0.0, found, nan)
     return result.reshape(columns[0].shape)
 
@@ -53,37 +51,39 @@ def folds(w: Floats, p: Floats, q: Floats) -> NDArray[np.bool_]:
     return np.asarray((w > 0.0) & (w < p) & (q > 0.0) & (q < p))
 
 
-@compiled
-def _cradle_all(w: Floats, p: Floats, q: Floats, on_palm: Floats, alpha: Floats, found: Floats) -> None:
-    for k in range(len(w)):
-        found[k] = _cradled(w[k], p[k], q[k], on_palm[k], alpha[k])
+def _for_each(function: Callable[..., float], *columns: Floats) -> Floats:
+    """The function of every hand; few hands are worked out sooner than the compiler is loaded."""
+    if columns[0].size > FEW:
+        from palmar.mechanics.compiled import over_arrays
+
+        function = over_arrays(function, _LEAN_FUNCTIONS)
+        return np.asarray(function(*columns))
+    return np.array([function(*map(float, each)) for each in zip(*columns, strict=True)], dtype=float)
 
 
-@compiled
-def _fold_all(w: Floats, p: Floats, q: Floats, found: Floats) -> None:
-    for k in range(len(w)):
-        first = asin(w[k] / p[k])
-        level = min(max(acos(q[k] / p[k]), first), 0.5 * pi)
-        found[k] = max(_folded_peak(first, level, w[k], p[k], q[k]), _folded_peak(level, 0.5 * pi, w[k], p[k], q[k]))
+def _folded(w: float, p: float, q: float) -> float:
+    """``folded_radius`` of one hand, not above 0 where there is none."""
+    first = asin(w / p)
+    level = min(max(acos(q / p), first), 0.5 * pi)
+    return max(_folded_peak(first, level, w, p, q), _folded_peak(level, 0.5 * pi, w, p, q))
 
 
-@compiled
 def _cradled(w: float, p: float, q: float, on_palm: float, alpha: float) -> float:
     """``cradled_radius`` of one hand."""
     first = _last_tangent(w, p, q, alpha)
-    last = _last_reached(first, w, p, q, alpha) if np.isnan(on_palm) else 0.5 * pi - 2.0 * atan2(w, on_palm)
+    last = _last_reached(first, w, p, q, alpha) if isnan(on_palm) else 0.5 * pi - 2.0 * atan2(w, on_palm)
     stationary = _golden_maximum(False, first, max(first, last), w, p, q, alpha, GOLDEN_STEPS)
-    return float(np.fmax(np.fmax(_radius_at_tip(first, w, p, q, alpha), stationary), on_palm))
+    found = max(_radius_at_tip(first, w, p, q, alpha), stationary)
+    return found if isnan(on_palm) else max(found, on_palm)
 
 
-@compiled
 def _folded_peak(low: float, high: float, w: float, p: float, q: float) -> float:
     """Highest of the peaks between two leans: every peak on a grid is refined."""
     step = (high - low) / NODES
-    best = before = -np.inf
+    best = before = -inf
     now = _folded_at(low, w, p, q)
     for k in range(NODES + 1):
-        after = _folded_at(low + (k + 1) * step, w, p, q) if k < NODES else -np.inf
+        after = _folded_at(low + (k + 1) * step, w, p, q) if k < NODES else -inf
         if now >= before and now >= after:
             left, right = low + max(k - 1, 0) * step, low + min(k + 1, NODES) * step
             best = max(best, now, _golden_maximum(True, left, right, w, p, q, 0.0, KINKED_STEPS))
@@ -91,35 +91,32 @@ def _folded_peak(low: float, high: float, w: float, p: float, q: float) -> float
     return best
 
 
-@compiled
 def _golden_maximum(
     folded: bool, low: float, high: float, w: float, p: float, q: float, alpha: float, steps: int
 ) -> float:
     """Largest value met by a golden section search for a function of the lean with one peak in [low, high]."""
     left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     at_left, at_right = _radius(folded, left, w, p, q, alpha), _radius(folded, right, w, p, q, alpha)
-    best = float(np.fmax(at_left, at_right))
+    best = max(at_left, at_right)
     for _ in range(steps):
         if at_left > at_right:
             high, right, at_right = right, left, at_left
             left = high - GOLDEN * (high - low)
             at_left = _radius(folded, left, w, p, q, alpha)
-            best = float(np.fmax(best, at_left))
+            best = max(best, at_left)
         else:
             low, left, at_left = left, right, at_right
             right = low + GOLDEN * (high - low)
             at_right = _radius(folded, right, w, p, q, alpha)
-            best = float(np.fmax(best, at_right))
+            best = max(best, at_right)
     return best
 
 
-@compiled
 def _radius(folded: bool, lean: float, w: float, p: float, q: float, alpha: float) -> float:
     """What is searched for its maximum."""
     return _folded_at(lean, w, p, q) if folded else _radius_at_tip(lean, w, p, q, alpha)
 
 
-@compiled
 def _last_tangent(w: float, p: float, q: float, alpha: float) -> float:
     """The last lean at which the distal link is longer than its tangent to a disk that it touches at -alpha."""
     low, high = alpha, 0.5 * pi
@@ -133,7 +130,6 @@ def _last_tangent(w: float, p: float, q: float, alpha: float) -> float:
     return low
 
 
-@compiled
 def _last_reached(low: float, w: float, p: float, q: float, alpha: float) -> float:
     """The last lean, from ``low`` on, at which the tip reaches that point of a disk."""
     high = 0.5 * pi
@@ -146,7 +142,6 @@ def _last_reached(low: float, w: float, p: float, q: float, alpha: float) -> flo
     return low
 
 
-@compiled
 def _radius_at_tip(lean: float, w: float, p: float, q: float, alpha: float) -> float:
     """Radius touched at -alpha by the tip, and tangentially by the proximal link at this lean."""
     sine, cosine = sin(lean), cos(lean)
@@ -156,7 +151,6 @@ def _radius_at_tip(lean: float, w: float, p: float, q: float, alpha: float) -> f
     return ((w + p * sine) * share + sine * root) / (2.0 * level - cosine**2)
 
 
-@inlined
 def _under(lean: float, w: float, p: float, q: float, alpha: float) -> float:
     """What stands under the root: negative where the tip cannot reach that point of any disk."""
     sine = sin(lean)
@@ -164,7 +158,6 @@ def _under(lean: float, w: float, p: float, q: float, alpha: float) -> float:
     return weight * q**2 - (2.0 * (w + p * sine) * sin(0.5 * (lean - alpha)) ** 2) ** 2
 
 
-@compiled
 def _folded_at(lean: float, w: float, p: float, q: float) -> float:
     """Largest radius of the folded hold with the proximal contact at elevation ``lean``.
 
@@ -183,3 +176,9 @@ def _folded_at(lean: float, w: float, p: float, q: float) -> float:
     if under < 0.0:
         return min(clear, -1.0)
     return min(clear, (beyond * (sine**2 - cosine) + sine * sqrt(under)) / (1.0 + sine**2))
+
+
+_LEAN_FUNCTIONS = (
+    _folded_peak, _golden_maximum, _radius, _last_tangent, _last_reached, _radius_at_tip, _under, _folded_at,
+)  # fmt: skip
+"""What the functions of one hand call."""
