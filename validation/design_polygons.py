@@ -103,7 +103,7 @@ def main(words: list[str]) -> None:
     """A line a brief, and the sums."""
     briefs, orientations, seed = (*map(int, words), *(20, 100, 20261127)[len(words) :])
     rng = np.random.default_rng(seed)
-    sums = np.zeros(4, int)
+    sums = np.zeros(5, int)
     for k in range(briefs):
         brief = random_brief(rng)
         found = design(brief, 1000, k)
@@ -113,20 +113,27 @@ def main(words: list[str]) -> None:
         vertices, hand = np.array(brief.targets.vertices), found.chosen.hand
         less = brief.limits.hand(0.9 * hand.half_palm, (0.9 * hand.finger_length,))
         alpha = atan(brief.targets.friction[0])
-        row = np.zeros(4, int)
+        row = np.zeros(5, int)
         small = orientations_held(vertices, less, alpha)
         for theta in rng.uniform(0.0, tau, orientations):
             drawn = atan(float(rng.uniform(*brief.targets.friction)))
             row[0] += 1
             row[1] += not rival(vertices, hand, float(theta), drawn)
-            told = bool(contains(small, np.array([theta]))[0])
-            row[2] += not told
-            row[3] += rival(vertices, less, float(theta), alpha) != told
+            held = bool(contains(small, np.array([theta]))[0])
+            row[2] += not held
+            also = rival(vertices, less, float(theta), alpha)
+            row[3:] += (held and not also, also and not held)
         sums += row
-        rough = brief.targets.friction[0]
-        print(f"{k}: {len(vertices)} corners, friction {rough:.2f}, of {row[0]} not held by the rival {row[1]};"
-              f" a tenth smaller: not held {row[2]}, told differently {row[3]}", flush=True)  # fmt: skip
-    print(f"sums: {sums[0]} tried, {sums[1]} not held; a tenth smaller: {sums[2]} not held, {sums[3]} told differently")
+        print(f"{k}: {len(vertices)} corners, friction {brief.targets.friction[0]:.2f}: {told(row)}", flush=True)
+    print(f"all: {told(sums)}")
+
+
+def told(counts: NDArray[np.int64]) -> str:
+    """The counts in words."""
+    return (
+        f"{counts[0]} orientations, {counts[1]} not held by the rival; a tenth smaller: {counts[2]} not held, {counts[3]} held"
+        f" against the rival, {counts[4]} the other way"
+    )
 
 
 if __name__ == "__main__":

@@ -33,6 +33,7 @@ from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed
 
 PARAMETERS = ("models", "closure", "start_mm", "theta_deg", "world", "columns", "rows", "x_mm", "uncertainty", "study")
+BRIEFS = ("brief", "search", "cases", "seed", "front", "name")
 
 
 def odd_case(draw: random.Random) -> dict[str, Any]:
@@ -58,6 +59,35 @@ def odd_case(draw: random.Random) -> dict[str, Any]:
     }
 
 
+def odd_brief(draw: random.Random) -> dict[str, Any]:
+    """A brief that may be allowed, with dimensions of any size."""
+
+    def size() -> float:
+        return draw.choice([draw.uniform(1.0, 200.0), 10.0 ** draw.uniform(-7.0, 7.0)])
+
+    def span() -> Any:
+        low, high = sorted((size(), size()))
+        return draw.choice([low, f"{low}..{high}", [low, high]])
+
+    disks = {"radii_mm": span(), "support": draw.choice(["table", "table", "free"])}
+    targets = draw.choice([disks, disks, {"vertices_mm": POLYGON["object"]["vertices_mm"]}])
+    limits = {
+        "palm_width_mm": span(),
+        "finger_length_mm": span(),
+        "finger_thickness_mm": size(),
+        "hand_length_mm": size(),
+    }
+    return {
+        "targets": {
+            **targets,
+            "friction": draw.choice([0.0, 0.5, "0.1..0.9", 100.0]),
+            "error_mm": draw.choice([0.0, size()]),
+        },
+        "limits": {name: each for name, each in limits.items() if draw.random() < 0.3}
+        | {"links": draw.choice([[1], [2, 6]])},
+    }
+
+
 NUMBERS: list[Any] = [
     1e308, -1e308, 10**400, 1e-320, 0, -1, True, None, "x", [], {}, "1..2", "0..1e308", 2**63, "\ud800", [[1, 2]] * 50,
 ]  # fmt: skip
@@ -66,14 +96,21 @@ NOT_JSON = ["[" * 100_000, '{"a":' * 50_000, "NaN", '{"id": Infinity}', "", "\x0
 
 def bad_message(draw: random.Random) -> str | bytes:
     """Something that nobody should send."""
-    kind = draw.choice(["look", "look", "look", "simulate", "paint", "plan", "design"])
-    whole = message(draw.randrange(10), odd_case(draw), kind)
+    kind = draw.choice(
+        ["look", "look", "look", "simulate", "paint", "plan", "design", "brief", "brief_front", "briefs"]
+    )
+    about = kind.startswith("brief")
+    whole = message(draw.randrange(10), odd_brief(draw) if about else odd_case(draw), kind)
     case, parameters = whole["case"], whole["parameters"]
+    if about:
+        parameters.update(
+            brief=whole.pop("case"), **({} if kind == "briefs" else {"cases": 100, "front": draw.randrange(3)})
+        )
     section = case[draw.choice(list(case))]
     ways: list[Any] = [
         lambda: section.update({draw.choice([*section, "unknown"]): draw.choice(NUMBERS)}),
         lambda: whole.update({draw.choice([*whole, "unknown"]): draw.choice(NUMBERS)}),
-        lambda: parameters.update({draw.choice(PARAMETERS): draw.choice(NUMBERS)}),
+        lambda: parameters.update({draw.choice(BRIEFS if about else PARAMETERS): draw.choice(NUMBERS)}),
         lambda: case.update({draw.choice(["hand", "object", "start", "x" * 300]): draw.choice(NUMBERS)}),
         lambda: None,
     ]

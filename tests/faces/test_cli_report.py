@@ -8,6 +8,7 @@ import pytest
 from palmar.models.case_file import parse_case
 from palmar.models.shipped import shipped_names
 from palmar.studies import report
+from palmar.studies.source_numbers import source_numbers
 from palmar.studies.strategies import Effort
 
 OF_EACH_KIND = (
@@ -104,3 +105,18 @@ def test_regions_of_different_kinds_stand_side_by_side(palmar, tmp_path):
     assert answer.status == 0
     page = (tmp_path / "page" / "range.html").read_text()
     assert "of it certain" in page and "17 combinations of contact.friction" in page
+
+
+def test_the_sources_numbers_stand_beside_palmars(palmar, monkeypatch):
+    monkeypatch.setattr(
+        "palmar.studies.source_numbers.source_numbers", lambda: source_numbers(2) + source_numbers(5)[:2]
+    )
+    rows = palmar("figures", "numbers", "--json").record["numbers"]
+    assert rows[3] | {"palmar": 0, "difference": 0} == {
+        "chapter": 2, "section": "2.2.2", "figure": "2.5", "what": "largest radius held with friction 0.7",
+        "unit": "finger lengths", "source": [2.054], "palmar": 0, "difference": 0, "guarantee": "closed_form", "why": "",
+    }  # fmt: skip
+    assert rows[3]["palmar"][0] - 2.054 == pytest.approx(rows[3]["difference"][0])
+    said = palmar("figures", "numbers").out
+    assert "2.054 finger lengths" in said
+    assert "R* is 0.6036 there, and 0.5844 where the source sees it." in said

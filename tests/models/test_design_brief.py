@@ -5,7 +5,14 @@ from math import atan
 import pytest
 
 from palmar.errors import InputError
-from palmar.models.design_brief_file import open_brief, parse_brief, shipped_briefs
+from palmar.models.design_brief_file import (
+    brief_tables,
+    build_brief,
+    dump_brief,
+    open_brief,
+    parse_brief,
+    shipped_briefs,
+)
 
 
 def test_units_ranges_and_margin():
@@ -20,6 +27,18 @@ def test_units_ranges_and_margin():
 def test_a_single_number_is_a_range_of_one():
     assert parse_brief("[targets]\nradii_mm = 30").targets.radii == (0.03, 0.03)
     assert parse_brief("[targets]\nradii_mm = 30\n[limits]\npalm_width_mm = 80").limits.palm_width == (0.08, 0.08)
+
+
+@pytest.mark.parametrize("name", shipped_briefs())
+def test_a_brief_written_back_is_the_same(name):
+    brief = open_brief(name)[1]
+    assert parse_brief(dump_brief(brief)) == brief
+    assert build_brief(brief_tables(brief)) == brief
+
+
+def test_a_brief_is_written_in_the_files_units_with_its_ranges():
+    table = brief_tables(parse_brief('[targets]\nradii_mm = "25..45"\nfriction = 0.5\nerror_mm = 20'))["targets"]
+    assert (table["radii_mm"], table["friction"], table["error_mm"]) == ("25..45", 0.5, 20.0)
 
 
 def test_ten_briefs_are_shipped():

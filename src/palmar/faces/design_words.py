@@ -8,27 +8,34 @@ from palmar.faces.cli.texts import notes, table
 from palmar.faces.words import Row
 from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.design_brief import DesignBrief
-from palmar.models.hand import Hand
+from palmar.studies.design.bounds import Bound
 from palmar.studies.design.design import Design, Option
 
 
 def design_text(name: str, found: Design, *, by_links: bool) -> str:
     """The hand and what it does, or why there is none; ``by_links``: a row for each number of links, too."""
     parts = [f"{name}: {brief_words(found.brief)}"]
-    if found.chosen is None or found.chosen.hand is None:
-        proof = "proven by closed forms" if found.proven else "found by a search, not proven"
-        parts.append(f"Impossible, because {found.because} ({proof}).")
-    else:
-        parts.append(table(_rows(found, found.chosen, found.chosen.hand)))
+    parts.append(table(design_rows(found)) if found.chosen is not None else impossible_words(found))
     if by_links:
-        fewest = found.fewest_links
         heads: Row = ("links a finger", "smallest hand", "")
-        parts.append(table([heads, *map(_link_row, found.options)]))
-        parts.append("No number of links will do." if fewest is None else f"Fewest links that will do: {fewest}.")
+        parts.append(table([heads, *map(link_row, found.options)]))
+        parts.append(fewest_words(found))
     if found.front:
         heads = ("hand, mm", "tolerated error, mm")
         parts.append(table([heads, *((f"{1e3 * size:.1f}", f"{1e3 * error:.1f}") for size, error in found.front)]))
     return "\n".join(["\n\n".join(parts), *notes(found.notes)])
+
+
+def impossible_words(found: Design | Bound) -> str:
+    """The sentence for a brief that no hand meets, and what it rests on."""
+    proof = "proven by closed forms" if found.proven else "found by a search, not proven"
+    return f"Impossible, because {found.because} ({proof})."
+
+
+def fewest_words(found: Design) -> str:
+    """The answer to how many links a finger it takes."""
+    fewest = found.fewest_links
+    return "No number of links will do." if fewest is None else f"Fewest links that will do: {fewest}."
 
 
 def brief_words(brief: DesignBrief) -> str:
@@ -48,7 +55,12 @@ def brief_words(brief: DesignBrief) -> str:
     return found if targets.sensors is None else f"{found}, in at most {targets.approaches_max} approaches by touch"
 
 
-def _rows(found: Design, chosen: Option, hand: Hand) -> list[Row]:
+def design_rows(found: Design) -> list[Row]:
+    """What the chosen hand is, does and was put to; empty where there is none."""
+    chosen = found.chosen
+    if chosen is None or chosen.hand is None:
+        return []
+    hand = chosen.hand
     links = " + ".join(f"{1e3 * each:.2f}" for each in hand.finger_links)
     rows: list[Row] = [
         ("palm", f"{1e3 * hand.palm_width:.2f} mm"),
@@ -77,7 +89,8 @@ def closing_words(does: Behaviour) -> str:
     return f"curl the distal joints to {degrees(does.preshape):.1f} deg, then close"
 
 
-def _link_row(option: Option) -> Row:
+def link_row(option: Option) -> Row:
+    """The smallest hand with so many links a finger, or why there is none."""
     if option.size is None:
         return str(option.links), "none", option.because or ""
     assert option.hand is not None

@@ -11,7 +11,7 @@ from palmar.geometry.polygon import checked_convex
 from palmar.models.contact import Contact
 from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import MOST_VERTICES
-from palmar.models.quantity import Length, Point, Real, Unit, Value
+from palmar.models.quantity import SMALLEST_LENGTH, Length, Point, Real, Unit, Value
 from palmar.models.sensors import Sensors
 from palmar.models.support import SupportKind
 
@@ -106,8 +106,8 @@ class Limits(Value):
     def hand(self, half_palm: float, links: tuple[float, ...]) -> Hand:
         """The hand of half palm width (m) and links (m) that these limits leave no other choice for."""
         return Hand(
-            palm_width=2.0 * half_palm,
-            finger_links=links,
+            palm_width=max(2.0 * half_palm, SMALLEST_LENGTH),
+            finger_links=tuple(max(each, SMALLEST_LENGTH) for each in links),
             finger_thickness=self.finger_thickness,
             fingers=self.fingers,
         )

@@ -13,6 +13,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from palmar.errors import InputError
+from palmar.models.case_file import dump_tables
 from palmar.models.design_brief import DesignBrief, Limits, Targets
 from palmar.models.explain import explain
 from palmar.models.quantity import Unit, Value, file_key, unit_of
@@ -32,15 +33,25 @@ def shipped_briefs() -> list[str]:
     return sorted(entry.name.removesuffix(".toml") for entry in _FOLDER.iterdir() if entry.name.endswith(".toml"))
 
 
+def shipped_brief_text(name: str) -> str:
+    """The TOML text of a shipped brief; raises InputError with the names there are."""
+    names = shipped_briefs()
+    if name not in names:
+        raise InputError(name[:200], None, f"no such file and no shipped brief, shipped are {', '.join(names)}")
+    return (_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def brief_description(name: str) -> str:
+    """The first line of a shipped brief: what it asks for."""
+    return shipped_brief_text(name).splitlines()[0].removeprefix("# ")
+
+
 def open_brief(name_or_path: str) -> tuple[str, DesignBrief]:
     """(name for headings, brief) of a file or a shipped one; raises InputError in one line."""
     path = Path(name_or_path)
     if path.exists() or path.suffix == ".toml" or len(path.parts) > 1:
         return path.stem, parse_brief(read_text(path, words=", a brief is a few lines"), str(path))
-    names = shipped_briefs()
-    if name_or_path not in names:
-        raise InputError(name_or_path[:200], None, f"no such file and no shipped brief, shipped are {', '.join(names)}")
-    return name_or_path, parse_brief((_FOLDER / f"{name_or_path}.toml").read_text(encoding="utf-8"), name_or_path)
+    return name_or_path, parse_brief(shipped_brief_text(name_or_path), name_or_path)
 
 
 def parse_brief(text: str, name: str = "brief") -> DesignBrief:
@@ -49,12 +60,49 @@ def parse_brief(text: str, name: str = "brief") -> DesignBrief:
         raw = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(name, None, f"is not valid TOML: {str(error) or 'nested too deep'}") from None
+    return build_brief(raw, name)
+
+
+def build_brief(raw: dict[str, Any], name: str = "brief") -> DesignBrief:
+    """The brief in the tables of a file; ``name`` stands for it in error messages."""
     for section in raw:
-        _known(section, _SECTIONS, f"{name}: {section}", "section")
+        _known(section, _SECTIONS, f"{name}: {section[:60]}", "section")
     if "targets" not in raw:
         raise InputError(f"{name}: [targets]", None, "is missing, every brief needs this section")
     parts = {section: _section(raw[section], section, name) for section in _SECTIONS if section in raw}
     return DesignBrief.model_validate(parts)
+
+
+def brief_tables(brief: DesignBrief) -> dict[str, dict[str, Any]]:
+    """The tables that ``build_brief`` reads back as the same brief; what is absent is left out."""
+    return {section: _to_file(getattr(brief, section)) for section in _SECTIONS}
+
+
+def dump_brief(brief: DesignBrief) -> str:
+    """TOML text that ``parse_brief`` reads back as the same brief."""
+    return dump_tables(brief_tables(brief))
+
+
+def _to_file(part: Value) -> dict[str, Any]:
+    values, table = part.model_dump(mode="json"), {}
+    for name, field in type(part).model_fields.items():
+        value = values[name]
+        if value is None:
+            continue
+        if name == "sensors":
+            value = value["layout"]
+        value = _from_si(value, unit_of(field))
+        if name in PAIRS:
+            low, high = value
+            value = low if low == high else "..".join(repr(end).removesuffix(".0") for end in value)
+        table[file_key(name, field)] = value
+    return table
+
+
+def _from_si(value: Any, unit: Unit | None) -> Any:
+    if isinstance(value, list):
+        return [_from_si(each, unit) for each in value]
+    return unit.from_si(value) if unit is not None and isinstance(value, float) else value
 
 
 def _section(table: Any, section: str, name: str) -> Value:

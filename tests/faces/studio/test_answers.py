@@ -111,6 +111,13 @@ def test_a_hand_of_the_map_can_be_loaded():
     assert hand["hold"]["radius_mm"] == pytest.approx(hand["radius_mm"][1], rel=1e-6)
 
 
+def test_numbers_and_titles_of_the_source(palmar):
+    numbers = parts(Kind.EXPERIMENTS, {"numbers": 2})["numbers", "settled"]["numbers"]
+    assert [each["source"] for each in numbers] == [[0.226], [0.974], [0.22], [2.054]]
+    listed = parts(Kind.EXPERIMENTS)["list", "settled"]["figures"]
+    assert {"number": "2.3", "title": "A hold without friction"} in listed
+
+
 @pytest.mark.parametrize(
     ("what", "ending", "words"),
     [
@@ -141,6 +148,7 @@ def test_every_file_that_is_offered_can_be_written():
         (Kind.PAINT, None, {"columns": 400, "rows": 400}, "columns * rows must be at most"),
         (Kind.PLAN, None, {"uncertainty": {}}, "exactly one of disk_mm and box_mm"),
         (Kind.PLAN, None, {"uncertainty": "/etc/passwd"}, "parameters.uncertainty"),
+        (Kind.EXPERIMENTS, None, {"numbers": 99}, "parameters.numbers"),
         (Kind.CASES, None, {"name": "../secret"}, "no shipped case"),
         (Kind.EXPORT, None, {"what": "region", "format": "exe"}, "region is written as svg"),
         (Kind.EXPORT, None, {"what": "figure", "format": "svg", "parameters": {"figure": "9.9"}}, "must be one of 2.1"),

@@ -121,7 +121,8 @@ def test_files_come_by_post(server):
     assert post({"what": "case", "format": "toml", "case": case}, "text/plain")[0] == 400
     assert post({"what": "case", "format": "toml", "case": case + "#" * LARGEST_MESSAGE})[0] == 400
     assert post({"what": "nothing", "format": "toml"})[::2] == (422, "what = 'nothing': must be one of region, comparison,"
-        " solid, film, trace, simulation, plan, map, closure, report, figure, case")  # fmt: skip
+        " solid, film, trace, simulation, plan, map, closure, report, figure, case,"
+        " design, brief")  # fmt: skip
 
 
 def test_ctrl_c_ends_it_cleanly_with_a_page_open(server):

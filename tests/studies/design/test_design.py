@@ -13,7 +13,7 @@ from palmar.models.objects import Disk
 from palmar.studies.design.binding import binding
 from palmar.studies.design.bounds import bound, least_reach
 from palmar.studies.design.circumstances import case_of
-from palmar.studies.design.design import design, size_of, slack
+from palmar.studies.design.design import design, size_of, slack, stages
 from palmar.studies.design.tolerance import tolerance
 from palmar.studies.design.verify import verify
 from palmar.studies.simulate import simulate_starts
@@ -162,6 +162,13 @@ def test_a_brief_that_only_the_search_refuses_is_not_called_proven():
     assert found.chosen is None
     assert not found.options[0].proven
     assert "tolerates" in found.options[0].because
+
+
+def test_the_hand_is_told_before_it_is_tried():
+    brief = parse_brief(SMOOTH)
+    found, tried = stages(brief, cases=100)
+    assert found.verification is None
+    assert tried == replace(found, verification=tried.verification) == design(brief, cases=100)
 
 
 def test_the_front_rises():

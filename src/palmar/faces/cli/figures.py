@@ -1,4 +1,4 @@
-"""``palmar figures``: every figure of the source's chapters, drawn anew."""
+"""``palmar figures``: every figure of the source's chapters, drawn anew, and its numbers beside palmar's."""
 
 from __future__ import annotations
 
@@ -19,9 +19,19 @@ def figures(
     format: Annotated[list[Literal["svg", "pdf", "png"]], Parameter(help="One or more formats.")] = ["svg"],  # noqa: B006
     json: AsJson = False,
 ) -> None:
-    """Redo the source's figures 2.1 to 2.8, 3.2 and 3.3."""
+    """Redo the source's figures of chapters 2 to 5."""
     from palmar.faces.exports.whole_file import make_folder
     from palmar.faces.plots.source_figures import write_source_figures
 
     written = write_source_figures(make_folder(out), suffixes=tuple(format), progress=progress)
     show("\n".join(map(str, written)), {"files": [str(each) for each in written]}, json)
+
+
+@app.command
+def numbers(*, json: AsJson = False) -> None:
+    """The numbers that the source prints beside what palmar finds, with the guarantee, and why some differ."""
+    from palmar.faces.source_numbers_record import source_numbers_record, source_numbers_text
+    from palmar.studies.source_numbers import source_numbers
+
+    found = source_numbers()
+    show(source_numbers_text(found), source_numbers_record(found), json)

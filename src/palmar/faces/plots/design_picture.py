@@ -32,7 +32,7 @@ def design_picture(found: Design) -> Figure:
     chosen = found.chosen
     assert chosen is not None and chosen.hand is not None
     hand, error = chosen.hand, found.error or 0.0
-    things = _objects(found.brief)
+    things = objects_of(found.brief)
     place = chosen.place or (0.0, _reach(things[-1]))
     half, height = hand.half_palm + hand.finger_length, place[1] + max(error, _reach(things[-1]))
     below = FRONT if found.front else 0.0
@@ -69,8 +69,8 @@ def _draw_front(axes: Axes, found: Design, hand: Hand) -> None:
     axes.tick_params(labelsize=SMALL_SIZE)
 
 
-def _objects(brief: DesignBrief) -> list[Disk | ConvexPolygon]:
-    """The smallest object first."""
+def objects_of(brief: DesignBrief) -> list[Disk | ConvexPolygon]:
+    """What the brief's hand is drawn with, the smallest object first."""
     if brief.targets.radii is None:
         assert brief.targets.vertices is not None
         return [ConvexPolygon(shape="polygon", vertices=brief.targets.vertices)]

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from palmar.errors import InputError
-from palmar.faces.studio.answers import design, experiments, library, look, maps, motion, paint, plan
+from palmar.faces.studio.answers import brief, design, experiments, library, look, maps, motion, paint, plan
 from palmar.faces.studio.answers.export import export
 from palmar.faces.studio.answers.part import File, Part, Question
 from palmar.faces.studio.kinds import Kind
@@ -26,6 +26,9 @@ ANSWERS: dict[Kind, tuple[Answer, ...]] = {
     Kind.CLOSURE_MAP: (maps.whole_map,),
     Kind.MAP_HAND: (maps.hand_at,),
     Kind.DESIGN: (design.design,),
+    Kind.BRIEF: (brief.at_once, brief.at_last),
+    Kind.BRIEF_FRONT: (brief.front,),
+    Kind.BRIEFS: (brief.briefs,),
     Kind.EXPERIMENTS: (experiments.experiments,),
     Kind.CASES: (library.cases,),
     Kind.READ_TOML: (library.read_toml,),

@@ -34,6 +34,9 @@ class Kind(Enum):
     CLOSURE_MAP = "closure_map"
     MAP_HAND = "map_hand"
     DESIGN = "design"
+    BRIEF = "brief"
+    BRIEF_FRONT = "brief_front"
+    BRIEFS = "briefs"
     EXPERIMENTS = "experiments"
     CASES = "cases"
     READ_TOML = "read_toml"
@@ -44,6 +47,8 @@ class Kind(Enum):
 
 MOMENT, PAUSE = 0.05, 0.15
 """The command line's numbers, and those of them that are slow, wait until nothing has been changed for so long."""
+LONG_PAUSE = 0.4
+"""So do searches that take seconds."""
 
 _QUICK, _LONG = Step(Lane.QUICK, 3.0), Step(Lane.LONG, 60.0)
 
@@ -57,6 +62,9 @@ STEPS: dict[Kind, tuple[Step, ...]] = {
     Kind.CLOSURE_MAP: (_LONG,),
     Kind.MAP_HAND: (Step(Lane.LONG, 20.0),),
     Kind.DESIGN: (Step(Lane.LONG, 300.0),),
+    Kind.BRIEF: (_QUICK, Step(Lane.LONG, 300.0, LONG_PAUSE)),
+    Kind.BRIEF_FRONT: (Step(Lane.LONG, 300.0, LONG_PAUSE),),
+    Kind.BRIEFS: (_QUICK,),
     Kind.EXPERIMENTS: (Step(Lane.LONG, 120.0),),
     Kind.CASES: (_QUICK,),
     Kind.READ_TOML: (_QUICK,),
@@ -78,5 +86,7 @@ EXPORTS: dict[str, tuple[str, ...]] = {
     "report": ("html",),
     "figure": DRAWN,
     "case": ("toml",),
+    "design": (*DRAWN, "json"),
+    "brief": ("toml",),
 }
 """What is written as a file, and as which."""

@@ -7,19 +7,18 @@ back under the disk, carries it. Both are the same geometry with opposite signs 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import acos, asin, atan2, cos, inf, isnan, nan, pi, sin, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from palmar.mechanics.closure.each_hand import of_each_hand
 
 Floats = NDArray[np.float64]
 GOLDEN = (5.0**0.5 - 1.0) / 2.0
 GOLDEN_STEPS, HALVINGS, NODES = 44, 52, 300
 KINKED_STEPS = 70
 """Steps towards a peak that is a kink, where the value is only as good as the place."""
-FEW = 32
-"""Hands that are not worth loading the compiler for."""
 
 
 def cradled_radius(w: Floats, p: Floats, q: Floats, on_palm: Floats, alpha: Floats | float = 0.0) -> Floats:
@@ -29,7 +28,7 @@ def cradled_radius(w: Floats, p: Floats, q: Floats, on_palm: Floats, alpha: Floa
     the tip is the tangent point, and beyond it until it is stationary or the disk comes down to the palm (radius
     ``on_palm``, NaN where the tip cannot come that high on a disk on the palm).
     """
-    return _for_each(_cradled, w, p, q, on_palm, np.full_like(w, alpha))
+    return of_each_hand(_cradled, _CALLED, w, p, q, on_palm, np.full_like(w, alpha))
 
 
 def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) -> Floats:
@@ -41,7 +40,7 @@ def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) 
     w, p, q = (each.ravel() for each in columns)
     result = np.full_like(w, nan)
     some = np.flatnonzero(folds(w, p, q))
-    found = _for_each(_folded, w[some], p[some], q[some])
+    found = of_each_hand(_folded, _CALLED, w[some], p[some], q[some])
     result[some] = np.where(found > 0.0, found, nan)
     return result.reshape(columns[0].shape)
 
@@ -49,16 +48,6 @@ def folded_radius(half_palm: ArrayLike, proximal: ArrayLike, distal: ArrayLike) 
 def folds(w: Floats, p: Floats, q: Floats) -> NDArray[np.bool_]:
     """Whether the hand has a folded hold: the elbow passes the axis, and the distal link fits above the palm line."""
     return np.asarray((w > 0.0) & (w < p) & (q > 0.0) & (q < p))
-
-
-def _for_each(function: Callable[..., float], *columns: Floats) -> Floats:
-    """The function of every hand; few hands are worked out sooner than the compiler is loaded."""
-    if columns[0].size > FEW:
-        from palmar.mechanics.compiled import over_arrays
-
-        function = over_arrays(function, _LEAN_FUNCTIONS)
-        return np.asarray(function(*columns))
-    return np.array([function(*map(float, each)) for each in zip(*columns, strict=True)], dtype=float)
 
 
 def _folded(w: float, p: float, q: float) -> float:
@@ -78,13 +67,13 @@ def _cradled(w: float, p: float, q: float, on_palm: float, alpha: float) -> floa
 
 
 def _folded_peak(low: float, high: float, w: float, p: float, q: float) -> float:
-    """Highest of the peaks between two leans: every peak on a grid is refined."""
+    """Highest of the peaks between two leans: every peak on a grid is refined, and every end of a level stretch."""
     step = (high - low) / NODES
     best = before = -inf
     now = _folded_at(low, w, p, q)
     for k in range(NODES + 1):
         after = _folded_at(low + (k + 1) * step, w, p, q) if k < NODES else -inf
-        if now >= before and now >= after:
+        if now >= max(before, after) and now > min(before, after):
             left, right = low + max(k - 1, 0) * step, low + min(k + 1, NODES) * step
             best = max(best, now, _golden_maximum(True, left, right, w, p, q, 0.0, KINKED_STEPS))
         before, now = now, after
@@ -178,7 +167,7 @@ def _folded_at(lean: float, w: float, p: float, q: float) -> float:
     return min(clear, (beyond * (sine**2 - cosine) + sine * sqrt(under)) / (1.0 + sine**2))
 
 
-_LEAN_FUNCTIONS = (
+_CALLED = (
     _folded_peak, _golden_maximum, _radius, _last_tangent, _last_reached, _radius_at_tip, _under, _folded_at,
 )  # fmt: skip
 """What the functions of one hand call."""

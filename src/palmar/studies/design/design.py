@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import atan, tau
 
@@ -98,31 +99,46 @@ def size_of(hand: Hand) -> float:
 
 def design(brief: DesignBrief, cases: int = CASES, seed: int = 0, front: int = 0) -> Design:
     """The smallest hand that meets the brief, tried in ``cases`` random cases; ``front``: how many points of the front."""
+    *_, answer = stages(brief, cases, seed)
+    if answer.chosen is None or front == 0:
+        return answer
+    points = ((each.size, error) for each, error in front_hands(brief, front))
+    return replace(answer, front=tuple((size, error) for size, error in points if size is not None))
+
+
+def stages(brief: DesignBrief, cases: int = CASES, seed: int = 0) -> Iterator[Design]:
+    """The answer without its front as it grows: a hand that was found, the same tried; the last one counts.
+
+    Where a trial loses an object, the search begins anew for a larger error.
+    """
     asked, extra = brief, 0.0
     answer = Design(brief, (), None)
     for round_ in range(ROUNDS):
         options = _options(asked, {each.links: each.size or 0.0 for each in answer.options})
         built = [each for each in options if each.hand is not None]
         if not built:
-            return Design(brief, options, None)
+            yield Design(brief, options, None)
+            return
         chosen = min(built, key=lambda each: (round(1e6 * (each.size or 0.0)), each.links))
         assert chosen.hand is not None
         error, guarantee = certified(brief, chosen.hand, chosen.place, chosen.does)
+        binds = binding(asked, chosen.hand, chosen.does)
+        answer = Design(brief, options, chosen, error, binds, guarantee, notes=_notes(brief, chosen, extra))
+        yield answer
         tried = verify(brief, chosen.hand, chosen.place, cases, seed, chosen.does)
-        answer = Design(brief, options, chosen, error, (), guarantee, tried, (), _notes(brief, chosen, extra))
+        answer = replace(answer, verification=tried)
+        yield _without_guarantee(answer, tried.violations) if tried.violations and round_ == ROUNDS - 1 else answer
         short = error is not None and error < brief.targets.error * (1.0 - 1e-6)
         if tried.violations == 0 and not short:
-            break
+            return
         extra += MORE
-        targets = brief.targets.model_copy(update={"error": brief.targets.error * (1.0 + extra)})
-        asked = brief.model_copy(update={"targets": targets, "fineness": min(2 << round_, FINEST)})
-    assert answer.chosen is not None and answer.chosen.hand is not None and answer.verification is not None
-    binds = binding(asked, answer.chosen.hand, answer.chosen.does)
-    lost = answer.verification.violations
-    if lost > 0:
-        notes = (*answer.notes, f"the last of {ROUNDS} searches still lost {lost} cases, so nothing is guaranteed")
-        answer = replace(answer, guarantee=None, notes=notes)
-    return replace(answer, binds=binds, front=tuple(_front(brief, front)))
+        asked = with_error(brief, brief.targets.error * (1.0 + extra))
+        asked = asked.model_copy(update={"fineness": min(2 << round_, FINEST)})
+
+
+def _without_guarantee(answer: Design, lost: int) -> Design:
+    note = f"the last of {ROUNDS} searches still lost {lost} cases, so nothing is guaranteed"
+    return replace(answer, guarantee=None, notes=(*answer.notes, note))
 
 
 def _options(brief: DesignBrief, longer: dict[int, float] | None = None) -> tuple[Option, ...]:
@@ -237,21 +253,29 @@ def _not_found(brief: DesignBrief, size: float, best: float, half_palm: float, f
     )
 
 
-def _front(brief: DesignBrief, points: int) -> list[tuple[float, float]]:
-    """Smallest sizes (m) for errors (m) from 0 to half as much again as asked for."""
+def front_hands(brief: DesignBrief, points: int) -> Iterator[tuple[Option, float]]:
+    """Smallest hands for errors (m) from 0 to half as much again as asked for, those without a hand left out.
+
+    Found by the search alone: none of them is tried.
+    """
     if brief.targets.radii is None and brief.error == 0.0:
-        return []
-    largest = 1.5 * brief.targets.error or brief.held[1]
-    found = []
-    for error in np.linspace(0.0, largest, points):
-        targets = brief.targets.model_copy(update={"error": float(error)})
-        there = brief.model_copy(update={"targets": targets})
+        return
+    for error in map(float, np.linspace(0.0, largest_error(brief), points)):
         if error == 0.0 and brief.targets.radii is None:
             continue
-        sizes = [each.size for each in _options(there) if each.size is not None]
-        if sizes:
-            found.append((min(sizes), float(error)))
-    return found
+        built = [each for each in _options(with_error(brief, error)) if each.size is not None]
+        if built:
+            yield min(built, key=lambda each: each.size or 0.0), error
+
+
+def largest_error(brief: DesignBrief) -> float:
+    """Where the front ends (m): half as much again as asked for, or the largest radius where none is."""
+    return 1.5 * brief.targets.error or brief.held[1]
+
+
+def with_error(brief: DesignBrief, error: float) -> DesignBrief:
+    """The brief for another placement error (m)."""
+    return brief.model_copy(update={"targets": brief.targets.model_copy(update={"error": error})})
 
 
 def _extent(brief: DesignBrief) -> float:

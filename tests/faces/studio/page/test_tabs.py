@@ -28,6 +28,7 @@ def test_the_map_draws_the_hand_at_the_pointer_and_loads_it_by_a_click(studio):
 def test_design_finds_the_finger_that_the_command_line_finds(studio, palmar):
     page = studio.page
     tab(studio, "Design")
+    page.get_by_role("button", name="Dimensions for a range of radii").click()
     page.get_by_label("Largest radius", exact=True).fill("50")
     found = page.locator("[data-answer=sizing]")
     expect(found.get_by_role("button")).to_be_enabled()
@@ -44,6 +45,11 @@ def test_a_shipped_case_and_a_figure_of_the_source(studio):
     tab(studio, "Experiments")
     expect(page.locator(".paper img")).to_be_visible()
     assert page.locator(".paper img").evaluate("picture => picture.naturalWidth") > 100
+    page.get_by_role("button", name="4.4").click()
+    expect(page.get_by_role("img", name="Figure 4.4")).to_be_visible()
+    row = page.get_by_role("row", name="first contact X1")
+    expect(row).to_contain_text("2.8")
+    expect(row).to_contain_text("5.251")
     tab(studio, "Cases")
     page.get_by_role("button", name="testbed_table_thick").click()
     expect(page.locator(".hand .capsule")).to_have_count(2)

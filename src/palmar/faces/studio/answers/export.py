@@ -19,6 +19,7 @@ from palmar.faces.plots.style import save
 from palmar.faces.records import closure_record, finite, region_record
 from palmar.faces.region_records import answers_record
 from palmar.faces.studio.answers.behaviour import performed
+from palmar.faces.studio.answers.brief import Briefed, brief_of
 from palmar.faces.studio.answers.experiments import known_figure
 from palmar.faces.studio.answers.maps import Grid
 from palmar.faces.studio.answers.motion import Begin, begin_of, record_of, simulated
@@ -27,6 +28,7 @@ from palmar.faces.studio.answers.plan import Planning, made
 from palmar.faces.studio.kinds import EXPORTS
 from palmar.models.case_file import dump_case
 from palmar.models.closure import Closure
+from palmar.models.design_brief_file import dump_brief
 from palmar.models.quantity import LARGEST_LENGTH, Real, Value
 from palmar.regions.build import build_region
 from palmar.regions.region import Model
@@ -188,6 +190,25 @@ def _case(asked: Question, path: Path) -> None:
     path.write_text(dump_case(asked.required_case), encoding="utf-8")
 
 
+def _design(asked: Question, path: Path) -> None:
+    from palmar.faces.design_record import design_record
+    from palmar.faces.plots.design_picture import design_picture
+    from palmar.studies.design.design import design
+
+    given = asked.parameters(Briefed)
+    found = design(brief_of(given), given.cases, given.seed, given.front)
+    if path.suffix == ".json":
+        _write_record(path, design_record(found))
+    elif found.chosen is None:
+        raise InputError("design", None, f"there is no hand to draw: {found.options[0].because}")
+    else:
+        save(design_picture(found), path)
+
+
+def _brief(asked: Question, path: Path) -> None:
+    path.write_text(dump_brief(brief_of(asked.parameters(Briefed))), encoding="utf-8")
+
+
 def _write_record(path: Path, record: dict[str, Any]) -> None:
     """As the command line prints it with --json."""
     path.write_text(json.dumps(finite(record), allow_nan=False) + "\n", encoding="utf-8")
@@ -206,4 +227,6 @@ WRITERS: dict[str, Write] = {
     "report": _report,
     "figure": _figure,
     "case": _case,
+    "design": _design,
+    "brief": _brief,
 }

@@ -9,5 +9,6 @@ import "./style/controls.css";
 import "./style/answers.css";
 import "./style/drawing.css";
 import "./style/overlays.css";
+import "./style/design.css";
 
 createRoot(document.getElementById("studio") as HTMLElement).render(<App />);

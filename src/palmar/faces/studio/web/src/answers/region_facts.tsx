@@ -110,7 +110,7 @@ function FactsTable({ records, look }: { records: readonly RegionRecord[]; look:
     <table className={`facts models${records.length > 2 ? " many" : ""}${look.late ? " late" : ""}`}>
       <thead>
         <tr>
-          <th />
+          <td />
           {records.map((each) => (
             <th key={each.model} scope="col">
               {each.model}

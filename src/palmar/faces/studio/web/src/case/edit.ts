@@ -2,7 +2,7 @@
 
 import type { CaseFile, Point, Quantity } from "./case_file";
 import { shapeOf } from "./case_file";
-import { add, direction, fingerPoints, isConvex, length, minus, openJoints, turned, wrapped } from "./plane";
+import { direction, fingerPoints, isConvex, length, minus, openJoints, turned, wrapped } from "./plane";
 
 export type Section = keyof CaseFile;
 
@@ -100,23 +100,6 @@ export function dragCorner(file: CaseFile, index: number, to: Point, step: numbe
   const place: Point = [rounded(x, step), rounded(y, step)];
   if (!isConvex(shape.vertices.map((each, i) => (i === index ? place : each)))) return file;
   return { ...file, object: { ...file.object, vertices_mm: replaced(file.object.vertices_mm, index, place) } };
-}
-
-/** A new corner outside the middle of the edge after corner `index`, by as little as keeps it a corner. */
-export function addCorner(file: CaseFile, index: number): CaseFile {
-  if (file.object.shape !== "polygon") return file;
-  const { vertices } = shapeOf(file);
-  const [a, b] = [vertices[index] as Point, vertices[(index + 1) % vertices.length] as Point];
-  const edge = minus(b, a);
-  const out: Point = [0.05 * edge[1], -0.05 * edge[0]];
-  const corner = add([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], out);
-  const place: Point = [rounded(corner[0], 1e-3), rounded(corner[1], 1e-3)];
-  if (!isConvex([...vertices.slice(0, index + 1), place, ...vertices.slice(index + 1)])) return file;
-  const given = file.object.vertices_mm;
-  return {
-    ...file,
-    object: { ...file.object, vertices_mm: [...given.slice(0, index + 1), place, ...given.slice(index + 1)] },
-  };
 }
 
 /** Without corner `index`; a triangle stays one. */

@@ -55,6 +55,19 @@ export function isConvex(corners: readonly Point[]): boolean {
   return turn < 2.5 * Math.PI;
 }
 
+/**
+ * A new corner outside the middle of the edge after corner `index`, by as little as keeps the polygon strictly convex;
+ * null where there is no room for one.
+ */
+export function withCorner(corners: readonly Point[], index: number): Point | null {
+  const [a, b] = [corners[index] as Point, corners[(index + 1) % corners.length] as Point];
+  const edge = minus(b, a);
+  const out: Point = [0.05 * edge[1], -0.05 * edge[0]];
+  const corner = add([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], out);
+  const place: Point = [Number(corner[0].toFixed(3)), Number(corner[1].toFixed(3))];
+  return isConvex([...corners.slice(0, index + 1), place, ...corners.slice(index + 1)]) ? place : null;
+}
+
 /** The object's outline in the hand's frame (empty for a disk). */
 export const outline = (shape: Shape, at: Point, theta: number): Point[] =>
   shape.vertices.map((each) => add(turned(each, theta), at));

@@ -2,11 +2,16 @@
 
 import { shapeOf, type CaseFile, type Point, type Shape } from "../case/case_file";
 import * as edit from "../case/edit";
-import { add, fingerPoints, mirrored, openJoints, outline, polar } from "../case/plane";
+import { add, fingerPoints, mirrored, openJoints, outline, polar, wrapped } from "../case/plane";
 import type { GripSpec } from "./grip";
 
 /** Takes the new case and the gesture it is part of. */
 export type Edit = (to: CaseFile, gesture: string) => void;
+
+/** Lengths of a case file (mm) end there, and coordinates to either side. */
+const LARGEST = 1e6;
+const LENGTH: Point = [0, LARGEST];
+const PLACE: Point = [-LARGEST, LARGEST];
 
 const mm = (value: number): string => `${Number(value.toFixed(4))} mm`;
 const deg = (value: number): string => `${Number(value.toFixed(3))}°`;
@@ -39,6 +44,7 @@ function palmGrip(file: CaseFile, shape: Shape, side: Side, step: number, change
     label: `Palm, ${sideName(side)} end`,
     value: 2 * shape.halfPalm,
     text: `palm width ${mm(2 * shape.halfPalm)}`,
+    ends: LENGTH,
     onDrag: (to) => change(edit.dragPalm(file, to, step), id),
   };
 }
@@ -57,6 +63,7 @@ function fingerGrips(file: CaseFile, shape: Shape, side: Side, step: number, cha
       label: tip ? `Tip of the ${sideName(side)} finger` : `Joint ${joint} of the ${sideName(side)} finger`,
       value: tip ? total : (shape.links[i] ?? 0),
       text: tip ? `finger length ${mm(total)}${angle}` : `link ${joint} ${mm(shape.links[i] ?? 0)}`,
+      ends: tip ? LENGTH : [0, (shape.links[i] ?? 0) + (shape.links[i + 1] ?? 0)],
       onDrag: (to) => change(edit.dragFinger(file, joint, onSide(side, to), step), id),
       onStep: (across, up) => {
         const longer = edit.stepFinger(file, joint, side * across * step);
@@ -80,6 +87,7 @@ function thicknessGrip(file: CaseFile, shape: Shape, step: number, change: Edit)
     label: "Thickness of the fingers",
     value: shape.thickness,
     text: mm(shape.thickness),
+    ends: LENGTH,
     onDrag: (to) => change(edit.dragThickness(file, half(to), 0.5 * step), "thickness"),
     onStep: (across, up) =>
       change(edit.dragThickness(file, 0.5 * shape.thickness + 0.5 * (across - up) * step, 0.5 * step), "thickness"),
@@ -95,6 +103,7 @@ function startGrip(file: CaseFile, shape: Shape, step: number, change: Edit): Gr
     label: "Start of the object",
     value: x,
     text: `x ${mm(x)}, y ${mm(y)}`,
+    ends: PLACE,
     onDrag: (to) => change(edit.dragStart(file, to, step), "start"),
   };
 }
@@ -110,6 +119,7 @@ function objectGrips(file: CaseFile, shape: Shape, step: number, change: Edit): 
         label: "Radius of the object",
         value: radius,
         text: `radius ${mm(radius)}`,
+        ends: LENGTH,
         onDrag: (to) => change(edit.dragRadius(file, to, step), "radius"),
         onStep: (across, up) =>
           change(edit.dragRadius(file, add(shape.at, [radius + (across + up) * step, 0]), step), "radius"),
@@ -125,6 +135,7 @@ function objectGrips(file: CaseFile, shape: Shape, step: number, change: Edit): 
       label: `Corner ${i + 1} of the object`,
       value: x,
       text: `${mm(x)}, ${mm(y)} in its own frame`,
+      ends: PLACE,
       onDrag: (to) => change(edit.dragCorner(file, i, to, step), `corner${i + 1}`),
       onRemove: () => change(edit.removeCorner(file, i), `remove${i + 1}`),
     };
@@ -134,8 +145,9 @@ function objectGrips(file: CaseFile, shape: Shape, step: number, change: Edit): 
     id: "turn",
     at: add(shape.at, polar(far, shape.theta)),
     label: "Orientation of the object",
-    value: shape.theta,
+    value: wrapped(shape.theta),
     text: deg(shape.theta),
+    ends: [-180, 180],
     onDrag: (to) => change(edit.dragTurn(file, to), "turn"),
     onStep: (across, up) => change(edit.withValue(file, "start", "theta_deg", shape.theta + up - across), "turn"),
   };
@@ -151,6 +163,7 @@ function wallGrip(file: CaseFile, shape: Shape, step: number, change: Edit): Gri
     label: "Wall ahead of the palm",
     value: shape.wall,
     text: mm(shape.wall),
+    ends: LENGTH,
     onDrag: (to) => change(edit.dragWall(file, to, step), "wall"),
   };
   return [wall];

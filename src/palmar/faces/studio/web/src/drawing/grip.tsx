@@ -15,6 +15,8 @@ export interface GripSpec {
   /** Its dimension as a number and in words. */
   readonly value: number;
   readonly text: string;
+  /** Between what that number must lie. */
+  readonly ends: Point;
   readonly look?: "round" | "square" | "diamond";
   readonly onDrag: (to: Point) => void;
   /** Arrow keys: steps to the right and up; without it the grip is dragged by that many rounding steps. */
@@ -102,6 +104,8 @@ export function Grip({ grip, view, size, step, onSettle, onHold, isIdle }: GripP
       tabIndex={0}
       role="slider"
       aria-label={grip.label}
+      aria-valuemin={grip.ends[0]}
+      aria-valuemax={grip.ends[1]}
       aria-valuenow={grip.value}
       aria-valuetext={grip.text}
       onPointerDown={down}

@@ -10,7 +10,7 @@ interface ObjectProps {
   readonly theta: number;
   /** Size of a pixel (mm). */
   readonly px: number;
-  readonly look?: "start" | "moving" | "ghost";
+  readonly look?: "start" | "moving" | "ghost" | "outline";
 }
 
 export const ObjectOutline = memo(function ObjectOutline({ shape, at, theta, px, look = "start" }: ObjectProps) {

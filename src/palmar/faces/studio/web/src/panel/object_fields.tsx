@@ -1,10 +1,11 @@
 /** The object's part of the panel: what it is, and where it starts. */
 
 import { useCallback } from "react";
-import { middle, type Quantity } from "../case/case_file";
-import { addCorner, removeCorner, withShape, withStart, withValue } from "../case/edit";
+import type { Quantity } from "../case/case_file";
+import { withShape, withStart, withValue } from "../case/edit";
 import { useStudio } from "../shell/studio_context";
 import { ChoiceField } from "./choice_field";
+import { CornerTable } from "./corner_table";
 import { BoundNumber, errorAt } from "./fields";
 import { NumberField } from "./number_field";
 
@@ -33,75 +34,18 @@ export function ObjectFields({ error }: { error: string | null }) {
   );
 }
 
-/** A row for each corner, in the object's own frame. */
 function Corners({ error }: { error: string | null }) {
   const { file, edit, settle } = useStudio();
   if (file.object.shape !== "polygon") return null;
-  const corners = file.object.vertices_mm;
-  const move = (index: number, along: 0 | 1, to: number) => {
-    const next = corners.map((each, i) => (i === index ? (along === 0 ? [to, each[1]] : [each[0], to]) : each));
-    edit(withValue(file, "object", "vertices_mm", next), `corner${index}`);
-  };
   return (
-    <div className="stack">
-      <table className="corners">
-        <thead>
-          <tr>
-            <th>corner</th>
-            <th>x (mm)</th>
-            <th>y (mm)</th>
-            <th>
-              <span className="visually-hidden">add or remove</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {corners.map((corner, i) => (
-            <tr key={i}>
-              <td>{i + 1}</td>
-              {([0, 1] as const).map((along) => (
-                <td key={along}>
-                  <input
-                    type="number"
-                    aria-label={`Corner ${i + 1}, ${along === 0 ? "x" : "y"} in mm`}
-                    value={middle(corner[along], 0)}
-                    step={1}
-                    onChange={(event) =>
-                      Number.isFinite(event.target.valueAsNumber) && move(i, along, event.target.valueAsNumber)
-                    }
-                    onBlur={settle}
-                  />
-                </td>
-              ))}
-              <td className="cluster">
-                <button
-                  type="button"
-                  className="tiny"
-                  aria-label={`Add a corner after ${i + 1}`}
-                  onClick={() => edit(addCorner(file, i), null)}
-                >
-                  +
-                </button>
-                <button
-                  type="button"
-                  className="tiny"
-                  aria-label={`Remove corner ${i + 1}`}
-                  disabled={corners.length <= 3}
-                  onClick={() => edit(removeCorner(file, i), null)}
-                >
-                  ×
-                </button>
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      {errorAt(error, "object.vertices_mm") && (
-        <p className="error small" role="alert">
-          {error}
-        </p>
-      )}
-    </div>
+    <CornerTable
+      corners={file.object.vertices_mm}
+      error={errorAt(error, "object.vertices_mm")}
+      onChange={(to, index) =>
+        edit(withValue(file, "object", "vertices_mm", to), index === undefined ? null : `corner${index}`)
+      }
+      onSettle={settle}
+    />
   );
 }
 

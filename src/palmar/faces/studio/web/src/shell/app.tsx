@@ -1,6 +1,7 @@
 /** The page: its head with tabs, history, files and theme; below it the tab that is open. */
 
 import { useMemo, useState, type KeyboardEvent } from "react";
+import { DesignContext, useDesign } from "../brief/use_design";
 import { CasesTab } from "../tabs/cases_tab";
 import { DesignTab } from "../tabs/design_tab";
 import { ExperimentsTab } from "../tabs/experiments_tab";
@@ -26,6 +27,7 @@ export function App() {
   const { file, edit, settle, undo, redo, canUndo, canRedo, tab, openTab, damaged } = useCase();
   const [line, say] = useState(damaged ? "The link's case could not be read; this is the first case instead." : null);
   const [theme, turnTheme] = useTheme();
+  const designing = useDesign(connection, tab === "design");
   const studio = useMemo<Studio>(
     () => ({ file, edit, settle, connection, status, hello, openTab, say }),
     [file, edit, settle, connection, status, hello, openTab],
@@ -41,64 +43,68 @@ export function App() {
   };
   return (
     <StudioContext value={studio}>
-      <div className="page">
-        <header className="bar">
-          <h1>palmar studio</h1>
-          <div className="tabs" role="tablist" aria-label="Pages" onKeyDown={walk}>
-            {TABS.map(([name, words]) => (
+      <DesignContext value={designing}>
+        <div className="page">
+          <header className="bar">
+            <h1>palmar studio</h1>
+            <div className="tabs" role="tablist" aria-label="Pages" onKeyDown={walk}>
+              {TABS.map(([name, words]) => (
+                <button
+                  key={name}
+                  id={`tab-${name}`}
+                  type="button"
+                  role="tab"
+                  aria-selected={name === open[0]}
+                  aria-controls="page-body"
+                  tabIndex={name === open[0] ? 0 : -1}
+                  onClick={() => openTab(name)}
+                >
+                  {words}
+                </button>
+              ))}
+            </div>
+            <span className="spring" />
+            <div className="cluster" role="group" aria-label="History and files">
+              <button type="button" onClick={undo} disabled={!canUndo} title="Undo (Ctrl+Z)">
+                Undo
+              </button>
+              <button type="button" onClick={redo} disabled={!canRedo} title="Redo (Ctrl+Shift+Z)">
+                Redo
+              </button>
+              <CaseFiles tab={open[0]} />
               <button
-                key={name}
-                id={`tab-${name}`}
                 type="button"
-                role="tab"
-                aria-selected={name === open[0]}
-                aria-controls="page-body"
-                tabIndex={name === open[0] ? 0 : -1}
-                onClick={() => openTab(name)}
+                onClick={turnTheme}
+                aria-label={`Switch to ${theme === "dark" ? "light" : "dark"} colours`}
               >
-                {words}
+                {theme === "dark" ? "Light" : "Dark"}
               </button>
-            ))}
+            </div>
+          </header>
+          <div>
+            {status !== "ready" && (
+              <p className="notice" role="status">
+                {status === "lost"
+                  ? "The connection to palmar studio is lost; trying again. Nothing you have set is lost."
+                  : "Connecting to palmar studio…"}
+              </p>
+            )}
+            {line && (
+              <p className="notice" role="alert">
+                {line}{" "}
+                <button type="button" className="tiny" onClick={() => say(null)} aria-label="Dismiss">
+                  ×
+                </button>
+              </p>
+            )}
           </div>
-          <span className="spring" />
-          <div className="cluster" role="group" aria-label="History and files">
-            <button type="button" onClick={undo} disabled={!canUndo} title="Undo (Ctrl+Z)">
-              Undo
-            </button>
-            <button type="button" onClick={redo} disabled={!canRedo} title="Redo (Ctrl+Shift+Z)">
-              Redo
-            </button>
-            <CaseFiles tab={open[0]} />
-            <button
-              type="button"
-              onClick={turnTheme}
-              aria-label={`Switch to ${theme === "dark" ? "light" : "dark"} colours`}
-            >
-              {theme === "dark" ? "Light" : "Dark"}
-            </button>
-          </div>
-        </header>
-        <div>
-          {status !== "ready" && (
-            <p className="notice" role="status">
-              {status === "lost"
-                ? "The connection to palmar studio is lost; trying again. Nothing you have set is lost."
-                : "Connecting to palmar studio…"}
-            </p>
-          )}
-          {line && (
-            <p className="notice" role="alert">
-              {line}{" "}
-              <button type="button" className="tiny" onClick={() => say(null)} aria-label="Dismiss">
-                ×
-              </button>
-            </p>
-          )}
+          <main>
+            <div id="page-body" role="tabpanel" aria-labelledby={`tab-${open[0]}`}>
+              <Tab />
+            </div>
+          </main>
         </div>
-        <main id="page-body" role="tabpanel" aria-labelledby={`tab-${open[0]}`}>
-          <Tab />
-        </main>
-      </div>
+      </DesignContext>
     </StudioContext>
   );
 }

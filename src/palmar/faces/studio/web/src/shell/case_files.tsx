@@ -1,6 +1,9 @@
-/** Case files in and out: open and save TOML, drop a file on the page, share the address. */
+/** Files in and out: open and save cases as TOML, drop a case or a brief on the page, share the address. */
 
 import { useEffect, useRef, useState } from "react";
+import { looksLikeBrief } from "../brief/brief_file";
+import { readBrief } from "../brief/open_brief";
+import { useDesigning } from "../brief/use_design";
 import type { CaseFile } from "../case/case_file";
 import { fragmentOf } from "../case/share";
 import { offer } from "./download";
@@ -10,13 +13,19 @@ const LARGEST = 200_000;
 
 /** Buttons of the page's head. */
 export function CaseFiles({ tab }: { tab: string }) {
-  const { file, edit, connection, say } = useStudio();
+  const { file, edit, connection, openTab, say } = useStudio();
+  const { edit: editBrief } = useDesigning();
   const picker = useRef<HTMLInputElement>(null);
   const [shared, setShared] = useState(false);
 
   const open = async (given: File) => {
     if (given.size > LARGEST) return say(`${given.name}: is larger than ${LARGEST} bytes, a case file is a few lines`);
     const text = await given.text();
+    if (looksLikeBrief(text)) {
+      const wrong = (line: string | null) => say(line === null ? null : `${given.name}: ${line}`);
+      openTab("design");
+      return readBrief(connection, { brief: text }, editBrief, wrong);
+    }
     connection.ask({
       kind: "read_toml",
       parameters: { text },
@@ -54,14 +63,18 @@ export function CaseFiles({ tab }: { tab: string }) {
         type="file"
         accept=".toml,text/plain"
         hidden
-        aria-label="Case file"
+        aria-label="Case file or brief"
         onChange={(event) => {
           const given = event.target.files?.[0];
           if (given) void open(given);
           event.target.value = "";
         }}
       />
-      <button type="button" onClick={() => picker.current?.click()} title="Open a case file; or drop one on the page">
+      <button
+        type="button"
+        onClick={() => picker.current?.click()}
+        title="Open a case file or a brief; or drop one on the page"
+      >
         Open
       </button>
       <button type="button" onClick={save} title="Save the case as TOML">
@@ -70,7 +83,7 @@ export function CaseFiles({ tab }: { tab: string }) {
       <button type="button" onClick={() => void share()} title="Copy an address that holds the whole case">
         {shared ? "Link copied" : "Share"}
       </button>
-      {dropping && <div className="drop-veil">Drop a case file (TOML) to open it</div>}
+      {dropping && <div className="drop-veil">Drop a case file or a brief (TOML) to open it</div>}
     </>
   );
 }

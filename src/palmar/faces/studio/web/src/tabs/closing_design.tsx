@@ -88,7 +88,9 @@ function Strategies({ found, file }: { found: StrategiesValue; file: CaseFile })
           <th className="number">area</th>
           <th className="number">of straight closing</th>
           <th>guarantee</th>
-          <th />
+          <th>
+            <span className="visually-hidden">load</span>
+          </th>
         </tr>
       </thead>
       <tbody>

@@ -77,6 +77,8 @@ export function MapPicture({ record, name, at, onMove, onPick }: MapPictureProps
         tabIndex={0}
         role="slider"
         aria-label="Hand on the map"
+        aria-valuemin={0}
+        aria-valuemax={1}
         aria-valuenow={at[0]}
         aria-valuetext={`distal link ${at[0].toFixed(2)}, proximal link ${at[1].toFixed(2)}`}
         onPointerMove={(event) => onMove(place(event))}

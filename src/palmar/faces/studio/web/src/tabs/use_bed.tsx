@@ -57,7 +57,7 @@ export function useBed(active: boolean): Mode {
           <table className="facts" data-answer="bed">
             <thead>
               <tr>
-                <th />
+                <td />
                 <th>outcome</th>
                 <th>ends at</th>
                 <th>turned</th>
