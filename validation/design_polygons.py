@@ -25,7 +25,7 @@ from palmar.studies.design.design import design
 from palmar.studies.design.verify import orientations_held
 
 Floats = NDArray[np.float64]
-HEIGHTS, ANGLES = 40, 91
+HEIGHTS, ANGLES = 200, 91
 NEARLY = 1e-7
 """Two features that touch to so much of the finger both do."""
 ROUNDING = 1e-6
@@ -131,8 +131,8 @@ def main(words: list[str]) -> None:
 def told(counts: NDArray[np.int64]) -> str:
     """The counts in words."""
     return (
-        f"{counts[0]} orientations, {counts[1]} not held by the rival; a tenth smaller: {counts[2]} not held, {counts[3]} held"
-        f" against the rival, {counts[4]} the other way"
+        f"{counts[0]} orientations, {counts[1]} not held by the rival; a tenth smaller: {counts[2]} not held, {counts[3]}"
+        f" held against the rival, {counts[4]} the other way"
     )
 
 
