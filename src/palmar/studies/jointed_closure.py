@@ -255,7 +255,7 @@ def _common(ranges: list[RadiusRange | None]) -> RadiusRange | None:
 
 
 def _notes(hand: Hand, coupling: Coupling | None) -> list[str]:
-    notes = [f"the {len(hand.finger_links)} links of a finger bend inwards as they need; kept_straight is without that"]
+    notes = [f"the {len(hand.finger_links)} links of a finger bend inwards as they need"]
     if coupling is not None:
         _, bend, ratio = coupling
         notes = [

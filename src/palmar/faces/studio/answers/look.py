@@ -55,13 +55,13 @@ class Look(Value):
 def at_once(asked: Question) -> Iterator[Part]:
     """Within milliseconds: what is in closed form, its outlines a little coarser than the command line's."""
     case, wanted = asked.required_case, asked.parameters(Look)
+    for model in _each(wanted):
+        if takes_milliseconds(case, model, wanted.closure):
+            yield _region(case, model, wanted.closure, QUICK_TOLERANCE * case.hand.finger_length, "quick")
     if bends_in_closed_form(case):
         yield _bent(case, jointed_verdict(case), "quick")
     elif isinstance(case.object, Disk) and not bends(case):
         yield Part("closure", closure_record(closure_verdict(case)), "quick", Guarantee.CLOSED_FORM)
-    for model in _each(wanted):
-        if takes_milliseconds(case, model, wanted.closure):
-            yield _region(case, model, wanted.closure, QUICK_TOLERANCE * case.hand.finger_length, "quick")
 
 
 def roughly(asked: Question) -> Iterator[Part]:

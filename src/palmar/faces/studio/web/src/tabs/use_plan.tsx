@@ -92,9 +92,12 @@ function PlanFacts({ record }: { record: PlanRecord }) {
     <div className="stack">
       <p className={`verdict ${record.guaranteed ? "yes" : "no"}`} data-answer="plan">
         <span className="sign">{record.guaranteed ? "✓ caught for certain" : "✗ no plan"}</span>
-        {record.guaranteed ? `within ${record.approaches_max ?? 0} approaches` : record.reason}
+        {record.guaranteed ? approachesWords(record.approaches_max ?? 0) : record.reason}
       </p>
       <GuaranteeBadge guarantee={record.guarantee} waiting={false} />
     </div>
   );
 }
+
+const approachesWords = (most: number): string =>
+  most === 0 ? "by closing at once" : `within ${most} approach${most === 1 ? "" : "es"}`;
