@@ -54,6 +54,23 @@ def test_the_object_is_where_the_sensor_says(
             assert shapely.contains_xy(shapely.buffer(belief, 1e-9), here).all()
 
 
+def test_a_larger_object_is_where_the_sensor_says_too() -> None:
+    """Radii between that of the profile and a spread more: the place is in the region of the sensor that it touches."""
+    stretches = Sensors(layout=SensorLayout.DISTRIBUTED).stretches(HAND)
+    seen, spread = profile(HAND, RADIUS, stretches, 0.7), 0.004
+    starts = drawn_starts(BELIEFS["disk"], 2000, 1)
+    swept = sweep(BELIEFS["disk"], seen, 0.13, Doubt(spread=spread), 0.2)
+    assert swept is not None
+    known = {NOTHING if each.sensor is None else each.sensor: each.belief for each in swept.felt}
+    for radius in (RADIUS, RADIUS + 0.5 * spread, RADIUS + spread):
+        touches = go_until_touched(HAND, stretches, 0.7, radius, starts - (0.13, swept.y), swept.distance)
+        assert not (touches.sensors == UNFELT).any()
+        after = starts - np.column_stack([np.full(len(starts), 0.13), swept.y + touches.ways])
+        for sensor in np.unique(touches.sensors).tolist():
+            here = after[touches.sensors == sensor]
+            assert shapely.contains_xy(shapely.buffer(known[sensor], 1e-9), here).all()
+
+
 def test_a_sensor_region_is_no_larger_than_it_must_be() -> None:
     """Without errors: as wide as what is touched there, and thinner than a third of a millimetre."""
     stretches = Sensors(layout=SensorLayout.DISTRIBUTED).stretches(HAND)

@@ -1,7 +1,18 @@
 """``palmar design`` as it is called."""
 
+from dataclasses import replace
+from math import radians
+
 import pytest
 from PIL import Image
+
+from palmar.faces.design_record import design_record
+from palmar.faces.design_words import design_text
+from palmar.faces.plots.design_picture import design_picture
+from palmar.models.design_brief_file import open_brief
+from palmar.studies.design.circumstances import STRAIGHT
+from palmar.studies.design.curled import curling
+from palmar.studies.design.design import Design, Option
 
 
 def test_the_half_octagon(palmar):
@@ -16,6 +27,18 @@ def test_the_half_octagon(palmar):
     assert record["verification"] == {"cases": 200, "violations": 0}
     assert record["guarantee"] == "closed_form"
     assert record["error_m"] is None
+    assert record["closing"] == {"behaviour": "close"}
+
+
+def test_a_hand_that_curls_tells_so():
+    brief = open_brief("table_parts")[1]
+    option = Option(2, brief.limits.hand(0.0001, (0.0757, 0.0113)), (0.0, 0.066), curling(radians(20.0)))
+    found = Design(brief, (option,), option, 0.02)
+    assert design_record(found)["closing"] == {"behaviour": "curl_and_close", "preshape_rad": radians(20.0)}
+    assert "curl the distal joints to 20.0 deg, then close" in design_text("parts", found, by_links=False)
+    lines = [len(axes.lines) + len(axes.patches) for axes in design_picture(found).axes]
+    straight = replace(found, chosen=replace(option, does=STRAIGHT))
+    assert sum(lines) > sum(len(axes.lines) + len(axes.patches) for axes in design_picture(straight).axes)
 
 
 def test_impossible_is_an_answer(palmar):

@@ -21,6 +21,7 @@ from palmar.models.guarantee import Guarantee
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.sensors import SensorLayout, Sensors, Stretch
+from palmar.models.support import Support, SupportKind
 from palmar.regions.profile import above
 from palmar.studies.leaf_trial import try_leaves
 from palmar.studies.plan import Plan, Rule, plan, planner_of
@@ -58,6 +59,19 @@ def test_every_object_drawn_is_caught_within_the_approaches_promised(layout: str
     trial = tried(case, found, uncertainty, at, Errors(**DOUBT))
     assert (trial.lost, trial.surprised, trial.given_up) == (0, 0, 0)
     assert trial.most_approaches <= approaches(found.found.policy) == 1
+
+
+def test_a_plan_for_a_range_of_radii_catches_them_all() -> None:
+    """By one policy; a plan for the smallest radius only does not."""
+    case, uncertainty, at = case_of(SensorLayout.DISTRIBUTED), Point(0.0, 0.0).buffer(0.28), (0.0, 0.6)
+    found = plan(case, uncertainty, at, 3, largest=0.042)
+    assert is_guaranteed(found.found.policy)
+    assert found.guarantee is Guarantee.SAMPLED
+    for radius in (0.038, 0.0393, 0.042):
+        trial = tried(case_of(SensorLayout.DISTRIBUTED, radius=radius), found, uncertainty, at, Errors(**DOUBT), 1500)
+        assert trial.caught == 1500
+    with pytest.raises(NotCoveredError, match="one radius"):
+        plan(case.model_copy(update={"support": Support(kind=SupportKind.FREE)}), uncertainty, at, 3, largest=0.042)
 
 
 def test_the_source_s_rule_needs_no_fewer_approaches() -> None:

@@ -8,6 +8,11 @@ one approach turns a belief of any depth into a curve, and cuts its width at the
 The object is taken to stay while it is touched (massive, or felt before it is pushed); it may move by at most the
 sensors' displacement before it is felt, in any direction. The hand may be off its commanded pose by the pose error,
 each time it moves. Every belief is in the frame of the commanded pose.
+
+The object's radius may be up to a ``spread`` more than the one R that the profile is for. Where a disk of radius R' touches
+first, a disk of radius R touches first if its centre is moved towards that contact by R' - R: it stays as far from all the
+rest of the hand as the larger one does, or farther. Where R' touches nothing, R touches nothing. So a spread is to what is
+felt as a pose error of its size, and to what is closed on it is none.
 """
 
 from __future__ import annotations
@@ -35,10 +40,16 @@ SPARE = 1.02
 
 @dataclass(frozen=True)
 class Doubt:
-    """Displacement of the object before it is felt, and pose error of the hand (m)."""
+    """Displacement of the object before it is felt, pose error of the hand, and spread of the radius (m)."""
 
     displacement: float = 0.0
     pose_error: float = 0.0
+    spread: float = 0.0
+
+    @property
+    def off(self) -> float:
+        """How far (m) the object may seem to be, when it is felt, from where it is."""
+        return self.pose_error + self.spread
 
 
 @dataclass(frozen=True)
@@ -66,12 +77,12 @@ def sweep(
 
     None where a part of the hand without a sensor may touch: the object would be pushed unfelt.
     """
-    seen = affinity.translate(grow(belief, doubt.pose_error), -x)
+    seen = affinity.translate(grow(belief, doubt.off), -x)
     _, low, _, high = seen.bounds
     begin = low - profile.top - profile.flattening
     farthest = high - profile.bottom - begin + profile.flattening
     way = farthest if distance is None else min(distance, farthest)
-    growth = profile.flattening + doubt.displacement + doubt.pose_error
+    growth = profile.flattening + doubt.displacement + doubt.off
     felt: dict[int, list[BaseGeometry]] = {}
     for piece in profile.pieces:
         spans = _spans(seen, piece, begin + way, profile.flattening)
@@ -92,7 +103,7 @@ def farthest(belief: BaseGeometry, profile: Profile, x: float, doubt: Doubt) -> 
     if not dead:
         return inf
     room = SPARE * (max(each.blur for each in dead) + profile.flattening)
-    seen = grow(belief, doubt.pose_error)
+    seen = grow(belief, doubt.off)
     lines = edges(affinity.translate(grow(seen, room), -x))
     first = inf
     for piece in dead:
@@ -115,7 +126,7 @@ def swept(profile: Profile, low: float, height: float, doubt: Doubt) -> BaseGeom
         for each in profile.pieces
     ]
     touched = shapely.union_all([shapely.make_valid(each) for each in under])
-    return touched.buffer(-_at_least(doubt.pose_error), quad_segs=ARC)
+    return touched.buffer(-_at_least(doubt.off), quad_segs=ARC)
 
 
 def grow(belief: BaseGeometry, distance: float) -> BaseGeometry:

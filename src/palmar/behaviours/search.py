@@ -91,7 +91,7 @@ def moves(planner: Planner, belief: BaseGeometry, facing: float) -> list[Move]:
     found: list[list[Move]] = []
     for turn, seen in planner.turned(belief, facing):
         found.append([])
-        across = _across(seen, planner.doubt.pose_error)
+        across = _across(seen, planner.doubt.off)
         left, right = float(across.min()), float(across.max())
         near = BESIDE * (right - left)
         for each in planner.openings:

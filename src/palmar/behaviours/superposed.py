@@ -67,7 +67,7 @@ def _strips(search: Search, belief: BaseGeometry, most: int, side: float, left: 
 def _along_the_side(planner: Planner, belief: BaseGeometry, side: float) -> list[Move]:
     """Approaches with an end of some piece of the profile at the side of a belief, the one that reaches farthest first."""
     left, _, right, _ = belief.bounds
-    edge, off = (left, planner.doubt.pose_error) if side < 0.0 else (right, -planner.doubt.pose_error)
+    edge, off = (left, planner.doubt.off) if side < 0.0 else (right, -planner.doubt.off)
     found = []
     for each in planner.openings:
         reach = each.profile.right if side < 0.0 else -each.profile.left

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.hand import Hand
 from palmar.studies.design.design import Design, Option
 
@@ -16,14 +17,14 @@ def design_record(found: Design) -> dict[str, Any]:
         "fewest_links": found.fewest_links,
     }
     if found.chosen is None or found.chosen.hand is None:
-        best = found.options[-1]
-        return {**record, "because": best.because, "proven": best.proven}
+        return {**record, "because": found.because, "proven": found.proven}
     tried = found.verification
     return {
         **record,
         "hand": hand_record(found.chosen.hand),
         "size_m": found.chosen.size,
-        "size_at_least_m": found.chosen.least,
+        "closing": closing_record(found.chosen.does),
+        "size_at_least_m": found.least,
         "error_m": found.error,
         "place_m": None if found.chosen.place is None else list(found.chosen.place),
         "binds": list(found.binds),
@@ -45,6 +46,13 @@ def hand_record(hand: Hand) -> dict[str, Any]:
     }
 
 
+def closing_record(does: Behaviour) -> dict[str, Any]:
+    """How a designed hand closes."""
+    if does.name is BehaviourName.CLOSE:
+        return {"behaviour": does.name.value}
+    return {"behaviour": does.name.value, "preshape_rad": does.preshape}
+
+
 def _option(option: Option) -> dict[str, Any]:
     if option.hand is None:
         return {"links": option.links, "size_m": None, "because": option.because, "proven": option.proven}
@@ -53,4 +61,5 @@ def _option(option: Option) -> dict[str, Any]:
         "size_m": option.size,
         "size_at_least_m": option.least,
         "hand": hand_record(option.hand),
+        "closing": closing_record(option.does),
     }

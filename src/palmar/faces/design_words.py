@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from math import degrees
+
 from palmar.faces.cli.texts import notes, table
 from palmar.faces.words import Row
+from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.design_brief import DesignBrief
 from palmar.studies.design.bounds import Bound
 from palmar.studies.design.design import Design, Option
@@ -12,7 +15,7 @@ from palmar.studies.design.design import Design, Option
 def design_text(name: str, found: Design, *, by_links: bool) -> str:
     """The hand and what it does, or why there is none; ``by_links``: a row for each number of links, too."""
     parts = [f"{name}: {brief_words(found.brief)}"]
-    parts.append(table(design_rows(found)) if found.chosen is not None else impossible_words(found.options[-1]))
+    parts.append(table(design_rows(found)) if found.chosen is not None else impossible_words(found))
     if by_links:
         heads: Row = ("links a finger", "smallest hand", "")
         parts.append(table([heads, *map(link_row, found.options)]))
@@ -23,10 +26,10 @@ def design_text(name: str, found: Design, *, by_links: bool) -> str:
     return "\n".join(["\n\n".join(parts), *notes(found.notes)])
 
 
-def impossible_words(option: Option | Bound) -> str:
+def impossible_words(found: Design | Bound) -> str:
     """The sentence for a brief that no hand meets, and what it rests on."""
-    proof = "proven by closed forms" if option.proven else "found by a search, not proven"
-    return f"Impossible, because {option.because} ({proof})."
+    proof = "proven by closed forms" if found.proven else "found by a search, not proven"
+    return f"Impossible, because {found.because} ({proof})."
 
 
 def fewest_words(found: Design) -> str:
@@ -64,8 +67,10 @@ def design_rows(found: Design) -> list[Row]:
         ("fingers", f"{links} mm"),
         ("palm and both fingers", f"{1e3 * (chosen.size or 0.0):.2f} mm"),
     ]
-    if chosen.least is not None:
-        rows.append(("no hand is shorter than", f"{1e3 * chosen.least:.2f} mm, by closed forms"))
+    if chosen.does.name is not BehaviourName.CLOSE:
+        rows.insert(2, ("how they close", closing_words(chosen.does)))
+    if found.least is not None:
+        rows.append(("no hand is shorter than", f"{1e3 * found.least:.2f} mm, by closed forms"))
     if found.error is not None and chosen.place is not None:
         x, y = (1e3 * each for each in chosen.place)
         rows.append(("tolerated error", f"{1e3 * found.error:.2f} mm about ({x:.1f}, {y:.1f}) mm"))
@@ -77,6 +82,13 @@ def design_rows(found: Design) -> list[Row]:
     return rows
 
 
+def closing_words(does: Behaviour) -> str:
+    """How a designed hand closes."""
+    if does.name is BehaviourName.CLOSE:
+        return "straight"
+    return f"curl the distal joints to {degrees(does.preshape):.1f} deg, then close"
+
+
 def link_row(option: Option) -> Row:
     """The smallest hand with so many links a finger, or why there is none."""
     if option.size is None:
@@ -86,5 +98,5 @@ def link_row(option: Option) -> Row:
     return (
         str(option.links),
         f"{1e3 * option.size:.2f} mm",
-        f"palm {1e3 * option.hand.palm_width:.2f}, fingers {lengths}",
+        f"palm {1e3 * option.hand.palm_width:.2f}, fingers {lengths}, {closing_words(option.does)}",
     )

@@ -17,6 +17,8 @@ from palmar.models.support import SupportKind
 
 MOST_LINKS = 6
 """Links a finger that a brief may ask about."""
+LONGEST = 1000.0
+"""Length (m) that stands for no limit."""
 Friction = Annotated[Real, Field(ge=0.0, le=100.0)]
 Share = Annotated[Real, Field(ge=0.0, le=1.0)]
 
@@ -56,8 +58,8 @@ class Targets(Value):
         if self.vertices is not None and self.support is SupportKind.FREE:
             raise ValueError('vertices_mm is for support = "table": free objects are disks')
         if self.sensors is not None:
-            if self.radii is None or self.radii[0] < self.radii[1]:
-                raise ValueError("sensors take one radius in radii_mm: a plan by touch needs to know it")
+            if self.radii is None or self.support is SupportKind.FREE:
+                raise ValueError('sensors take radii_mm and support = "table": plans by touch are for disks that stay')
             if self.error == 0.0:
                 raise ValueError("sensors need an error_mm above 0: there is nothing to find")
         return self
@@ -71,15 +73,17 @@ class Targets(Value):
 class Limits(Value):
     """Within which the hand may be built; a pair is (least, greatest)."""
 
-    palm_width: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, 1000.0)
-    finger_length: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, 1000.0)
+    palm_width: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, LONGEST)
+    finger_length: Annotated[tuple[Real, Real], Unit.MILLIMETRE] = (0.0, LONGEST)
     """Of the straight finger (m)."""
-    hand_length: Annotated[Length, Unit.MILLIMETRE] = 1000.0
+    hand_length: Annotated[Length, Unit.MILLIMETRE] = LONGEST
     """The most that palm and both fingers may measure together (m)."""
     links: Annotated[tuple[Annotated[int, Field(ge=1, le=MOST_LINKS)], ...], Field(min_length=1, max_length=MOST_LINKS)] = (
         1, 2, 3,
     )  # fmt: skip
     """Numbers of links a finger that are allowed."""
+    curl: bool = True
+    """Whether fingers of two links may curl before they close."""
     finger_thickness: Annotated[Real, Field(ge=0.0, le=1000.0), Unit.MILLIMETRE] = 0.0
     fingers: Fingers = Fingers.CROSSING
     margin: Annotated[Real, Field(ge=0.0, le=0.5)] = 0.01
@@ -114,6 +118,8 @@ class DesignBrief(Value):
 
     targets: Targets
     limits: Limits = Limits()
+    fineness: Annotated[int, Field(ge=1)] = 1
+    """How many times as densely as usual the search samples orientations, radii, restitutions and directions."""
 
     @property
     def held(self) -> tuple[float, float]:

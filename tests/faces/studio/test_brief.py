@@ -60,9 +60,11 @@ def test_impossible_is_an_answer_and_comes_at_once(palmar):
     assert answer[2]["hand"] is None
 
 
-def test_with_an_error_the_bound_is_that_of_fingers_that_close_straight():
-    ((_, _, value),) = parts(Kind.BRIEF, {"brief": {"targets": ROOMY["targets"]}}, [0])
-    assert value["least_m"] == pytest.approx(4.0 * 0.07 * 1.01)
+def test_with_an_error_one_link_is_bound_by_more_than_several():
+    for links, least in (([1], 4.0 * 0.07), ([1, 2], 2.0 * 0.1)):
+        brief = {"targets": ROOMY["targets"], "limits": {"links": links}}
+        ((_, _, value),) = parts(Kind.BRIEF, {"brief": brief}, [0])
+        assert value["least_m"] == pytest.approx(least * 1.01)
 
 
 def test_a_search_that_takes_long_is_only_begun_if_asked_for(monkeypatch):

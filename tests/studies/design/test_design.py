@@ -6,12 +6,15 @@ from math import atan, tan
 import numpy as np
 import pytest
 
+from palmar.mechanics.closure.chain import Chain, largest_hold
 from palmar.models.design_brief_file import open_brief, parse_brief
 from palmar.models.guarantee import Guarantee
 from palmar.models.objects import Disk
+from palmar.studies.design.binding import binding
 from palmar.studies.design.bounds import bound, least_reach
+from palmar.studies.design.circumstances import case_of
 from palmar.studies.design.design import design, size_of, slack, stages
-from palmar.studies.design.tolerance import case_of, tolerance
+from palmar.studies.design.tolerance import tolerance
 from palmar.studies.design.verify import verify
 from palmar.studies.simulate import simulate_starts
 
@@ -58,7 +61,7 @@ def test_a_family_of_radii_and_frictions():
     assert found.chosen.least <= found.chosen.size <= 1.02 * found.chosen.least
     assert found.guarantee is Guarantee.SAMPLED
     hand = found.chosen.hand
-    assert slack(brief, 0.97 * hand.half_palm, 0.97 * hand.finger_length) < 0.0
+    assert slack(brief, 0.97 * hand.half_palm, (0.97 * hand.finger_length,)) < 0.0
 
 
 def test_a_hand_too_small_is_caught_out():
@@ -67,6 +70,23 @@ def test_a_hand_too_small_is_caught_out():
     tried = verify(brief, hand, (0.0, 0.0657), 5000, seed=1)
     assert tried.violations > 0
     assert "radius" in tried.examples[0]
+
+
+def test_thick_fingers_do_not_hold_what_thin_ones_would():
+    """The trial of a hold counts half a thickness into the distance of joint line and centre: straight, bent, pinching."""
+    text = "[targets]\nradii_mm = 40\nfriction = {}\n[limits]\nlinks = [{}]\nfinger_thickness_mm = 16\nmargin = 0\n{}"
+    for friction, links, palm in ((0.3, 1, ""), (0.0, 2, ""), (0.5, 1, "palm_width_mm = 60\n")):
+        brief = parse_brief(text.format(friction, links, palm))
+        hand = design(brief, cases=50).chosen.hand
+        assert verify(brief, hand, None, 50, 0).violations == 0
+        less = brief.limits.hand(hand.half_palm, tuple(0.98 * each for each in hand.finger_links))
+        assert verify(brief, less, None, 50, 0).violations == 50
+
+
+def test_what_a_limit_of_the_hand_binds_is_told():
+    brief = parse_brief(SMOOTH + 'palm_width_mm = "90..300"\nfinger_length_mm = "0..100.6"\n')
+    assert binding(brief, brief.limits.hand(0.045, (0.1004,))) == ("error", "palm_width_mm", "finger_length_mm")
+    assert binding(brief, brief.limits.hand(0.046, (0.12,))) == ()
 
 
 def test_postures_are_not_found_for_a_disk_that_is_too_large():
@@ -109,6 +129,29 @@ def test_what_is_impossible_is_proven(limits, told):
     assert found.chosen is None
     assert found.options[0].proven
     assert told in found.options[0].because
+
+
+def test_below_the_best_palm_the_closed_form_proves_less():
+    """Fingers of two links cradle a disk off a palm narrower than the best one, with less than they need on it."""
+    text = '[targets]\nradii_mm = 50\n[limits]\nlinks = [2]\nmargin = 0\npalm_width_mm = "0..2"\n'
+    found = design(parse_brief(text), cases=10)
+    cradle = largest_hold(Chain(0.001, (0.6 * 0.092, 0.4 * 0.092)))
+    assert cradle.radius > 0.05
+    assert found.least == pytest.approx(8.0 * (2.0**0.5 - 1.0) * 0.05)
+    assert found.least < 2.0 * 0.093 < 0.98 * found.chosen.size
+    refused = design(parse_brief(text + "hand_length_mm = 190\n"), cases=10)
+    assert refused.chosen is None
+    assert not refused.proven
+    assert design(parse_brief(text + "hand_length_mm = 160\n"), cases=10).proven
+
+
+def test_what_is_proven_of_one_link_is_not_of_two():
+    one = parse_brief(ROUGH + "hand_length_mm = 190\n")
+    assert design(one, cases=10).proven
+    both = one.model_copy(update={"limits": one.limits.model_copy(update={"links": (1, 2), "curl": False})})
+    found = design(both, cases=10)
+    assert found.chosen is None
+    assert not found.proven
 
 
 def test_a_brief_that_only_the_search_refuses_is_not_called_proven():

@@ -38,13 +38,13 @@ def design(
     if out is not None and out.suffix.lower() not in (".svg", ".pdf", ".png"):
         raise InputError("--out", str(out), "a design is drawn as svg, pdf or png")
     name, given = open_brief(brief)
-    if given.targets.sensors is not None or given.targets.vertices is not None:
-        progress("searching, which takes a minute or two for polygons and for plans by touch")
+    if given.targets.error > 0.0:
+        progress("searching, which takes a minute or two for polygons, fingers that curl, and plans by touch")
     found = designed(given, cases, seed, front)
     text = design_text(name, found, by_links=links)
     if out is not None:
         if found.chosen is None:
-            raise InputError("--out", str(out), "there is no hand to draw: " + (found.options[0].because or ""))
+            raise InputError("--out", str(out), "there is no hand to draw: " + (found.because or ""))
         from palmar.faces.plots.design_picture import design_picture
         from palmar.faces.plots.style import save
 

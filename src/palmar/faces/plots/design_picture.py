@@ -10,6 +10,7 @@ from palmar.faces.plots.hand import draw_hand, draw_object
 from palmar.faces.plots.lettering import millimetres
 from palmar.faces.plots.sheet import MARGIN, Extent, Pad, Room, sheet
 from palmar.faces.plots.style import MM_PER_INCH, NORMAL, SMALL_SIZE, TEXT_SIZE, Role
+from palmar.models.behaviour import BehaviourName
 from palmar.models.design_brief import DesignBrief
 from palmar.models.hand import Hand
 from palmar.models.objects import ConvexPolygon, Disk
@@ -22,6 +23,8 @@ CAPTION = (
     "The hand opened flat, and the object at its nominal place, the largest one dashed. Blue: wherever in this circle its"
     " centre starts, it is caught."
 )
+
+CURLED = "Grey: the distal joints curled, before the base joints close."
 
 
 def design_picture(found: Design) -> Figure:
@@ -36,13 +39,16 @@ def design_picture(found: Design) -> Figure:
     room = Room(Pad(4.0, 14.0, 4.0, 4.0), sides=Pad(bottom=below))
     title = f"The smallest hand: {millimetres(chosen.size or 0.0)} in all"
     extent = Extent(-max(half, error), -hand.half_thickness, max(half, error), height)
-    page = sheet([[extent]], title=title, footer=CAPTION if error > 0.0 else "", room=room)
+    curls = f" {CURLED}" if chosen.does.name is BehaviourName.CURL_AND_CLOSE else ""
+    page = sheet([[extent]], title=title, footer=CAPTION + curls if error > 0.0 else "", room=room)
     axes = page.panels[0][0]
     for k, each in enumerate(things):
         draw_object(axes, each, place, fill=0.4, ghost=k > 0, mark=k == 0)
     if error > 0.0:
         draw_object(axes, Disk(radius=error), place, role=Role.CENTRE, fill=0.0, mark=False)
     draw_hand(axes, hand, hand.open)
+    if chosen.does.name is BehaviourName.CURL_AND_CLOSE:
+        draw_hand(axes, hand, hand.open, distal=(chosen.does.preshape,), ghost=True)
     d, length = hand.half_palm, hand.finger_length
     dimension(axes, (-d, 0.0), (d, 0.0), millimetres(hand.palm_width), -7.0)
     dimension(axes, (d, 0.0), (d + length, 0.0), millimetres(length), -7.0)

@@ -11,22 +11,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import degrees, inf, sin
 
-from palmar.models.design_brief import DesignBrief
+from palmar.models.design_brief import LONGEST, DesignBrief
 from palmar.models.hand import Fingers
 from palmar.studies.design.wrap import Wrap
 
 
 @dataclass(frozen=True)
 class Bound:
-    """Half palm and finger (m) of the shortest hand that the bounds leave; with ``because`` none is left.
+    """Half palm and finger (m) of the shortest hand of the closed form; with ``because`` none is left within the limits.
 
-    ``proven``: whether the closed forms prove that there is none, or that none is shorter.
+    ``proven``: whether no hand is left, or shorter, however it holds; ``least`` (m): no hand is shorter, however it holds.
     """
 
     half_palm: float = 0.0
     finger: float = 0.0
     because: str | None = None
     proven: bool = True
+    least: float = 0.0
 
     @property
     def size(self) -> float:
@@ -54,26 +55,44 @@ def least_reach(brief: DesignBrief) -> float:
 def bound(brief: DesignBrief, links: int) -> Bound:
     """The shortest hand for disks that holds the radii and whose fingers are long enough for the error, or why none is."""
     wrap, reach, limits = wrap_of(brief, links), least_reach(brief), brief.limits
-    most = limits.hand_length
+    most, least = limits.hand_length, _least(brief, wrap, reach)
     if wrap.least_length() > most * (1.0 + 1e-9):
         return Bound(because=_too_short(wrap, most))
     if reach > limits.finger_length[1]:
         return Bound(because=f"{_reaching(brief, reach)}, and at most {_mm(limits.finger_length[1])} mm are allowed")
     palm = (0.5 * limits.palm_width[0], 0.5 * limits.palm_width[1])
     found = wrap.shortest(palm, limits.finger_length, reach)
-    free = wrap.shortest((0.0, inf), (0.0, inf), reach)
-    proven = wrap.friction_angle == 0.0 or (free is not None and free[0] <= palm[1])
-    if found is None:
-        return Bound(because=_no_proportion(wrap, brief), proven=proven and free is not None)
-    size = 2.0 * sum(found)
+    proven = _is_all(wrap, palm[1], reach)
+    if found is None and least <= most * (1.0 + 1e-9):
+        return Bound(because=_no_proportion(wrap, brief), proven=proven)
+    size = least if found is None else 2.0 * sum(found)
     if size > most * (1.0 + 1e-9):
-        long = f"{_reaching(brief, reach)}, " if reach >= found[1] else ""
+        long = f"{_reaching(brief, reach)}, " if found is None or reach >= found[1] else ""
         return Bound(
             because=f"{long}palm and fingers that hold {_radii(wrap)} measure at least {_mm(size)} mm within the limits of"
             f" each, and at most {_mm(most)} mm are allowed",
-            proven=proven,
+            proven=proven or least > most * (1.0 + 1e-9),
         )
-    return Bound(*found, proven=proven)
+    assert found is not None
+    return Bound(*found, proven=proven, least=size if proven else least)
+
+
+def _least(brief: DesignBrief, wrap: Wrap, reach: float) -> float:
+    """Length (m) below which neither the winding around the disk nor the reach leaves a hand."""
+    limits = brief.limits
+    return max(wrap.least_length(), limits.palm_width[0] + 2.0 * max(reach, limits.finger_length[0]))
+
+
+def _is_all(wrap: Wrap, widest: float, reach: float) -> bool:
+    """Whether the closed form's hand with half palm up to ``widest`` (m) is the shortest of all, also off the palm.
+
+    It is where its palm need not be narrower than the best one. Else jointed fingers, or friction, may cradle the disk.
+    """
+    alone = wrap.links == 1
+    if alone and wrap.friction_angle == 0.0:
+        return True
+    best = wrap.shortest((0.0, inf), (0.0, inf), reach if alone else 0.0)
+    return best is not None and best[0] <= widest and (alone or reach <= best[1])
 
 
 def _too_short(wrap: Wrap, most: float) -> str:
@@ -96,8 +115,9 @@ def _no_proportion(wrap: Wrap, brief: DesignBrief) -> str:
     palm, finger = (
         "..".join(_mm(end) for end in each) for each in (brief.limits.palm_width, brief.limits.finger_length)
     )
+    limited = f" of {finger} mm in all" if brief.limits.finger_length[1] < LONGEST else ""
     return (
-        f"no palm of {palm} mm with {_links(wrap.links)} a finger of {finger} mm in all holds {_radii(wrap)}"
+        f"no palm of {palm} mm with {_links(wrap.links)} a finger{limited} holds {_radii(wrap)}"
         f" at friction {brief.least_friction.friction:.4g}"
     )
 

@@ -1,47 +1,42 @@
-"""How far from its nominal place an object may be so that a hand that closes straight still catches it, whatever it is.
+"""How far from its nominal place an object may be so that a closing hand still catches it, whatever it is.
 
-Disks on a table: the exact regions at the ends of the range of radii and between, at the least friction, which decides;
-the largest circle in what they have in common. Free disks and polygons: places on a grid, each carried by the batch
-kernels under every circumstance asked about, the largest circle of caught ones about the best place, its radius then
-bisected along rays. With sensors: whether the planner proves a policy for the error asked about.
+Disks on a table and straight fingers: the exact regions at the ends of the range of radii and between, at the least
+friction, which decides; the largest circle in what they have in common. Else: places on a grid, each carried by the batch
+kernels under every circumstance asked about, the largest circle of caught ones about the best place on the axis, its radius
+then bisected along rays. With sensors: whether the planner proves a policy for the error asked about.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import product
+from math import ceil
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
 from palmar.behaviours.policy import is_guaranteed
 from palmar.geometry.planar_set import areal, inscribed_circle
-from palmar.models.case import Case
-from palmar.models.contact import Contact
+from palmar.models.behaviour import Behaviour, BehaviourName
 from palmar.models.design_brief import DesignBrief
 from palmar.models.hand import Hand
-from palmar.models.objects import ConvexPolygon, Disk
-from palmar.models.outcome import Outcome
-from palmar.models.sensors import Sensors
-from palmar.models.support import Support, SupportKind
+from palmar.models.objects import Disk
+from palmar.models.support import SupportKind
 from palmar.regions.disk import disk_sides
-from palmar.regions.simulated import object_reach
-from palmar.studies.plan import Plan, plan
-from palmar.studies.simulate import simulate_starts
+from palmar.studies.design.circumstances import RADII, STRAIGHT, Circumstances, case_of
+from palmar.studies.design.felt import place_ahead, plan_for
 
 Floats = NDArray[np.float64]
 Place = tuple[float, float]
-RADII, RESTITUTIONS, ORIENTATIONS = 3, 3, 24
-"""Of a range in the search; polygons are turned evenly about the full turn."""
 FLATTENING = 3e-5
 """Of the boundaries of exact regions, in finger lengths."""
 CELLS = 9
 """Steps of the grid across the error's radius."""
 ROOM = 1.3
 """The grid reaches so many of the error asked about to each side; larger errors are not told apart."""
-RAYS, HALVINGS = 48, 7
+
+BETWEEN = 21
+"""Centres looked at between the nodes of the grid on the axis."""
 
 
 @dataclass(frozen=True)
@@ -52,45 +47,23 @@ class Tolerance:
     place: Place | None
 
 
-def tolerance(brief: DesignBrief, hand: Hand) -> Tolerance:
-    """What the hand tolerates under all circumstances of the brief."""
+def tolerance(brief: DesignBrief, hand: Hand, does: Behaviour = STRAIGHT, beaten: float = 0.0) -> Tolerance:
+    """What the hand tolerates under all circumstances of the brief, if it closes as ``does`` says.
+
+    Not worked out where it is no more than ``beaten`` (m): then some radius that is no more, either.
+    """
     if brief.targets.sensors is not None:
         proved = is_guaranteed(plan_for(brief, hand).found.policy)
         return Tolerance(brief.error if proved else 0.0, place_ahead(brief, hand) if proved else None)
-    if is_exact(brief):
+    if is_exact(brief, does):
         return _of_regions(brief, hand)
-    return _of_starts(brief, hand)
+    return _of_starts(brief, Circumstances(brief, hand, does), beaten)
 
 
-def is_exact(brief: DesignBrief) -> bool:
-    """Whether regions are known in closed form: disks on a table."""
-    return brief.targets.radii is not None and brief.targets.support is SupportKind.TABLE
-
-
-def case_of(
-    brief: DesignBrief, hand: Hand, thing: Disk | ConvexPolygon, friction: float, restitution: float = 1.0
-) -> Case:
-    """One of the circumstances of the brief."""
-    return Case(
-        hand=hand,
-        object=thing,
-        contact=Contact(friction=friction, restitution=restitution),
-        support=Support(kind=brief.targets.support),
-        sensors=brief.targets.sensors or Sensors(),
-    )
-
-
-def place_ahead(brief: DesignBrief, hand: Hand) -> Place:
-    """Where an object to be felt for is thought to be: so far ahead that the hand is clear of all that it may be."""
-    return 0.0, 2.0 * (hand.finger_length + brief.held[1] + brief.error)
-
-
-def plan_for(brief: DesignBrief, hand: Hand) -> Plan:
-    """The planner's answer for the error asked about, at the least friction."""
-    case = case_of(brief, hand, Disk(radius=brief.held[1]), brief.least_friction.friction)
-    return plan(
-        case, shapely.Point(0.0, 0.0).buffer(brief.error), place_ahead(brief, hand), brief.targets.approaches_max
-    )
+def is_exact(brief: DesignBrief, does: Behaviour = STRAIGHT) -> bool:
+    """Whether regions are known in closed form: disks on a table, straight fingers."""
+    on_table = brief.targets.radii is not None and brief.targets.support is SupportKind.TABLE
+    return on_table and brief.targets.sensors is None and does.name is BehaviourName.CLOSE
 
 
 def _of_regions(brief: DesignBrief, hand: Hand) -> Tolerance:
@@ -107,62 +80,33 @@ def _of_regions(brief: DesignBrief, hand: Hand) -> Tolerance:
     return Tolerance(circle.radius, circle.centre)
 
 
-def _of_starts(brief: DesignBrief, hand: Hand) -> Tolerance:
-    """By simulated starts: right half only for disks, which a symmetric hand catches from mirrored places alike."""
-    asked = _Caught(brief, hand)
-    step = brief.error / CELLS
-    side = ROOM * brief.error
-    x = np.arange(-side, side + step, step) if asked.turned else np.arange(0.0, side + step, step)
-    y = np.arange(asked.lowest, asked.lowest + 2.0 * side + step, step)
+def _of_starts(brief: DesignBrief, asked: Circumstances, beaten: float) -> Tolerance:
+    step, cells = brief.error / CELLS, ceil(ROOM * CELLS)
+    x = step * np.arange(0 if asked.mirrored else -cells, cells + 1)
+    y = asked.lowest + step * np.arange(2 * cells + 1)
     grid = np.stack(np.meshgrid(x, y), axis=-1)
-    caught = asked.caught(grid.reshape(-1, 2)).reshape(grid.shape[:2])
-    whole = caught if asked.turned else np.concatenate([caught[:, :0:-1], caught], axis=1)
+    row, known = 0, np.inf
+    for caught in asked.one_by_one(grid.reshape(-1, 2)):
+        row, known = _deepest(caught.reshape(grid.shape[:2]), asked.mirrored)
+        if known == 0.0 or (known + 0.5) * step <= beaten:  # so near a place is lost, and more will be
+            return Tolerance((known + 0.5) * step if known else 0.0, None)
+    return _about(asked, (0.0, float(y[row])), step, known * step)
+
+
+def _about(asked: Circumstances, place: Place, step: float, known: float) -> Tolerance:
+    """The largest circle about a place on the axis within half a ``step`` (m) of one; ``known`` (m): about how large."""
+    boundary = asked.boundary(place, known + step)
+    y = place[1] + step * np.linspace(-0.5, 0.5, BETWEEN)
+    far = np.hypot(boundary[:, 0, None], boundary[:, 1, None] - y).min(axis=0)
+    best = int(far.argmax())
+    middle = (0.0, float(y[best]))
+    return Tolerance(asked.circle(middle, float(far[best]) + 0.1 * step), middle)
+
+
+def _deepest(caught: NDArray[np.bool_], mirrored: bool) -> tuple[int, float]:
+    """The row whose node on the axis is the farthest from all nodes that are not caught, and how far, in steps."""
+    whole = np.concatenate([caught[:, :0:-1], caught], axis=1) if mirrored else caught
     far = distance_transform_edt(np.pad(whole, 1))[1:-1, 1:-1]
     axis = far[:, far.shape[1] // 2]
     row = int(axis.argmax())
-    if axis[row] == 0.0:
-        return Tolerance(0.0, None)
-    place = (0.0, float(y[row]))
-    return Tolerance(asked.circle(place, float(axis[row]) * step), place)
-
-
-class _Caught:
-    """Asks the batch kernels which places are caught under all circumstances of a brief."""
-
-    def __init__(self, brief: DesignBrief, hand: Hand) -> None:
-        targets, friction = brief.targets, brief.least_friction.friction
-        self.turned = targets.vertices is not None
-        if targets.vertices is not None:
-            grown = 1.0 + brief.limits.margin
-            corners = tuple((grown * x, grown * y) for x, y in targets.vertices)
-            things: list[Disk | ConvexPolygon] = [ConvexPolygon(shape="polygon", vertices=corners)]
-        else:
-            low, high = brief.held
-            things = [Disk(radius=float(each)) for each in np.linspace(low, high, RADII if low < high else 1)]
-        low, high = targets.restitution
-        es = np.linspace(low, high, RESTITUTIONS if low < high else 1) if targets.support is SupportKind.FREE else [1.0]
-        self._cases = [case_of(brief, hand, thing, friction, float(e)) for thing, e in product(things, es)]
-        self._turns = np.linspace(0.0, 2.0 * np.pi, ORIENTATIONS, endpoint=False) if self.turned else np.zeros(1)
-        self.lowest = max(map(object_reach, things)) + hand.half_thickness + 1e-9
-
-    def caught(self, places: Floats) -> NDArray[np.bool_]:
-        """Which of the places (N, 2), m, are caught whatever the circumstances."""
-        held = np.ones(len(places), np.bool_)
-        for case, turn in product(self._cases, self._turns):
-            left = np.flatnonzero(held)
-            if len(left) == 0:
-                break
-            starts = np.column_stack([places[left], np.full(len(left), turn)])
-            held[left] = simulate_starts(case, starts).codes <= Outcome.CAGED.code
-        return held
-
-    def circle(self, place: Place, known: float) -> float:
-        """How far (m) from a place starts are caught in every direction looked in; about ``known`` is."""
-        angles = np.linspace(0.0, 2.0 * np.pi, RAYS, endpoint=False)
-        along = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-        low, high = np.zeros(RAYS), np.full(RAYS, 1.2 * known)
-        for _ in range(HALVINGS):
-            middle = 0.5 * (low + high)
-            held = self.caught(np.array(place) + middle[:, None] * along)
-            low, high = np.where(held, middle, low), np.where(held, high, middle)
-        return float(low.min())
+    return row, float(axis[row])

@@ -18,17 +18,20 @@ from numpy.typing import NDArray
 from palmar.mechanics.closure.closing_links import ClosingLinks, LimitedHand
 from palmar.mechanics.closure.orientation_set import contains
 from palmar.mechanics.closure.polygon_orientations import frictional_orientations, structural_orientations
+from palmar.models.behaviour import Behaviour
 from palmar.models.design_brief import DesignBrief
 from palmar.models.hand import Fingers, Hand
 from palmar.models.objects import ConvexPolygon, Disk
 from palmar.models.outcome import Outcome
-from palmar.studies.design.tolerance import Place, case_of, plan_for
+from palmar.studies.design.circumstances import STRAIGHT, case_of
+from palmar.studies.design.felt import plan_for
+from palmar.studies.design.tolerance import Place
 from palmar.studies.plan import Plan
 from palmar.studies.plan_trial import Errors, try_plan
 from palmar.studies.simulate import simulate_starts
 
 Floats = NDArray[np.float64]
-GROUP, FELT_GROUP = 500, 5000
+GROUP, FELT_GROUP = 500, 2500
 """Starts of one object."""
 AT_ENDS = 10
 ROUNDING = 1e-8
@@ -43,8 +46,13 @@ class Verification:
     examples: tuple[str, ...] = ()
 
 
-def verify(brief: DesignBrief, hand: Hand, place: Place | None, cases: int, seed: int) -> Verification:
-    """Try ``cases`` random cases of the brief's ranges, without its margin; ``place`` (m): the middle of the starts."""
+def verify(
+    brief: DesignBrief, hand: Hand, place: Place | None, cases: int, seed: int, does: Behaviour = STRAIGHT
+) -> Verification:
+    """Try ``cases`` random cases of the brief's ranges, without its margin; ``place`` (m): the middle of the starts.
+
+    The hand closes as ``does`` says; with sensors, by its plan.
+    """
     rng = np.random.default_rng(seed)
     if place is None:
         return _held_polygon(brief, hand, cases, rng) if brief.targets.vertices else _held(brief, hand, cases, rng)
@@ -55,17 +63,18 @@ def verify(brief: DesignBrief, hand: Hand, place: Place | None, cases: int, seed
         friction = _drawn(brief.targets.friction, number, rng)
         starts = np.array(place) + _within(brief.targets.error, size, rng)
         if felt is not None:
-            lost, what = _lost_by_plan(brief, hand, felt, friction, starts), f"friction {friction:.4g}"
+            lost, what = _lost_by_plan(brief, hand, felt, friction, starts, number, rng)
         else:
-            lost, what = _lost(brief, hand, friction, starts, number, rng)
+            lost, what = _lost(brief, hand, does, friction, starts, number, rng)
         examples = (*found.examples, *([what] if lost else []))[:5]
         found = Verification(found.cases + size, found.violations + lost, examples)
     return found
 
 
 def _lost(
-    brief: DesignBrief, hand: Hand, friction: float, starts: Floats, number: int, rng: np.random.Generator
-) -> tuple[int, str]:
+    brief: DesignBrief, hand: Hand, does: Behaviour, friction: float, starts: Floats, number: int,
+    rng: np.random.Generator,
+) -> tuple[int, str]:  # fmt: skip
     """Of one group of starts: how many are not caught, and the circumstances."""
     targets, turns = brief.targets, np.zeros(len(starts))
     restitution = _drawn(targets.restitution, number, rng)
@@ -77,18 +86,21 @@ def _lost(
         assert targets.vertices is not None
         thing, turns = ConvexPolygon(shape="polygon", vertices=targets.vertices), rng.uniform(0.0, tau, len(starts))
         what = f"friction {friction:.4g}"
-    case = case_of(brief, hand, thing, friction, restitution)
+    case = case_of(brief, hand, thing, friction, restitution, does)
     codes = simulate_starts(case, np.column_stack([starts, turns])).codes
     return int((codes > Outcome.CAGED.code).sum()), what
 
 
-def _lost_by_plan(brief: DesignBrief, hand: Hand, found: Plan, friction: float, starts: Floats) -> int:
-    """By the one policy planned for the least friction, at the friction drawn."""
+def _lost_by_plan(
+    brief: DesignBrief, hand: Hand, found: Plan, friction: float, starts: Floats, number: int, rng: np.random.Generator
+) -> tuple[int, str]:
+    """By the one policy planned for the least friction and all radii, at those drawn."""
     assert brief.targets.radii is not None
-    case = case_of(brief, hand, Disk(radius=brief.targets.radii[1]), friction)
+    radius = _drawn(brief.targets.radii, number, rng)
+    case = case_of(brief, hand, Disk(radius=radius), friction)
     errors = Errors(found.doubt.displacement, found.doubt.pose_error)
     trial = try_plan(case, found.found.policy, found.stretches, starts, errors)
-    return trial.starts - trial.caught
+    return trial.starts - trial.caught, f"radius {1e3 * radius:.4g} mm, friction {friction:.4g}"
 
 
 def _held(brief: DesignBrief, hand: Hand, cases: int, rng: np.random.Generator) -> Verification:

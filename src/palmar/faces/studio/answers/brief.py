@@ -14,6 +14,7 @@ from palmar.faces.plots.design_picture import objects_of
 from palmar.faces.studio.answers.drawing import MM, millimetres
 from palmar.faces.studio.answers.library import case_value
 from palmar.faces.studio.answers.part import Part, Question
+from palmar.models.behaviour import Behaviour
 from palmar.models.case import Start
 from palmar.models.design_brief import DesignBrief
 from palmar.models.design_brief_file import (
@@ -30,8 +31,10 @@ from palmar.models.hand import Hand
 from palmar.models.objects import Disk
 from palmar.models.quantity import Value
 from palmar.studies.design.bounds import bound
+from palmar.studies.design.circumstances import case_of
+from palmar.studies.design.curled import may_curl
 from palmar.studies.design.design import CASES, Design, front_hands, largest_error, stages, with_error
-from palmar.studies.design.tolerance import Place, case_of, is_exact
+from palmar.studies.design.tolerance import Place, is_exact
 
 
 class Briefed(Value):
@@ -77,14 +80,12 @@ def at_once(asked: Question) -> Iterator[Part]:
     brief = brief_of(asked.parameters(Briefed))
     value: dict[str, Any] = {"words": brief_words(brief), "soon": _is_soon(brief), "least_m": None, "impossible": None}
     if brief.targets.radii is not None:
-        # An error is tolerated by closing straight, as one link does.
-        allowed = [1] if brief.error > 0.0 else sorted(set(brief.limits.links))
-        each_way = [bound(brief, links) for links in allowed]
+        each_way = [bound(brief, links) for links in sorted(set(brief.limits.links))]
         left = [each for each in each_way if each.because is None]
-        if not left:
-            value["impossible"] = impossible_words(each_way[-1])
-        elif all(each.proven for each in each_way):
-            value["least_m"] = min(each.size for each in left)
+        if left:
+            value["least_m"] = min(each.least for each in left)
+        else:
+            value["impossible"] = impossible_words(min(each_way, key=lambda each: each.proven))
     yield Part("bound", value, "quick", Guarantee.CLOSED_FORM)
 
 
@@ -107,7 +108,7 @@ def front(asked: Question) -> Iterator[Part]:
     least = _least_at_the_end(brief) if given.front > 0 else None
     for option, error in front_hands(brief, given.front):
         assert option.hand is not None
-        shown = _hand_value(brief, option.hand, option.place, error)
+        shown = _hand_value(brief, option.hand, option.place, error, option.does)
         points.append({"size_m": option.size, "error_m": error, **shown})
         value = {"points": list(points), "of": given.front, "least_m": least}
         yield Part("front", value, guarantee=Guarantee.SAMPLED)
@@ -120,13 +121,14 @@ def _least_at_the_end(brief: DesignBrief) -> list[float] | None:
     if brief.targets.radii is None:
         return None
     error = largest_error(brief)
-    end = bound(with_error(brief, error), 1)
-    return [end.size, error] if end.because is None else None
+    ends = [bound(with_error(brief, error), links) for links in brief.limits.links]
+    least = [each.least for each in ends if each.because is None]
+    return [min(least), error] if least else None
 
 
 def _is_soon(brief: DesignBrief) -> bool:
-    """Whether a hand is found within seconds: disks on a table, closed on without feeling for them."""
-    return is_exact(brief) and brief.targets.sensors is None
+    """Whether a hand is found within seconds: disks on a table, closed on by straight fingers without feeling for them."""
+    return is_exact(brief) and not may_curl(brief)
 
 
 def _brief_value(brief: DesignBrief) -> dict[str, Any]:
@@ -140,23 +142,23 @@ def _design_value(found: Design) -> dict[str, Any]:
     value: dict[str, Any] = {
         "record": design_record(found),
         "rows": design_rows(found),
-        "impossible": impossible_words(found.options[-1]) if chosen is None else None,
+        "impossible": impossible_words(found) if chosen is None else None,
         "links": [link_row(each) for each in found.options] if several else [],
         "fewest": fewest_words(found) if several else None,
         "hand": None,
     }
     if chosen is not None and chosen.hand is not None:
-        value["hand"] = _hand_value(found.brief, chosen.hand, chosen.place, found.error or 0.0)
+        value["hand"] = _hand_value(found.brief, chosen.hand, chosen.place, found.error or 0.0, chosen.does)
     return value
 
 
-def _hand_value(brief: DesignBrief, hand: Hand, place: Place | None, error: float) -> dict[str, Any]:
+def _hand_value(brief: DesignBrief, hand: Hand, place: Place | None, error: float, does: Behaviour) -> dict[str, Any]:
     """A hand with its objects and the circle of errors; as a case it is before the largest object at the least friction."""
     things = objects_of(brief)
     last = things[-1]
     reach = last.radius if isinstance(last, Disk) else max(y for _, y in last.vertices)
     at = place or (0.0, reach + hand.half_thickness)
-    case = case_of(brief, hand, last, brief.targets.friction[0], brief.targets.restitution[1])
+    case = case_of(brief, hand, last, brief.targets.friction[0], brief.targets.restitution[1], does)
     tables = case_value(case.model_copy(update={"start": Start(at=at)}))["case"]
     return {
         "case": tables,
