@@ -21,11 +21,11 @@ from importlib.metadata import version
 from math import pi
 from pathlib import Path
 
-import numba
 import numpy as np
 import pymunk
 from test_mujoco_ratio import STEP, rollouts
 
+from palmar.mechanics.batch import allotted
 from palmar.mechanics.impact.capture import capture_all
 from palmar.mechanics.impact.capture_hand import closing_hand
 from palmar.mechanics.pushing.closing import close_disk
@@ -115,12 +115,11 @@ def on_the_table() -> Rates:
     many, few = starts_on_table(1_000_000), starts_on_table(96)
     hand = ClosingHand(HALF_PALM, LENGTH, 0.0, RADIUS, 0.7, 0.0, pi)
     tables = build_tables(hand, surface)
+    close_disk(hand, surface, many[:1000], tables)
     for threads in (1, 2):
-        numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
-        close_disk(hand, surface, many[:1000], tables)
-        found[f"palmar, {threads} thread{'s'[: threads - 1]}"] = timed(
-            lambda: close_disk(hand, surface, many, tables), len(many)
-        )
+        with allotted(threads):
+            rate = timed(lambda: close_disk(hand, surface, many, tables), len(many))
+        found[f"palmar, {threads} thread{'s'[: threads - 1]}"] = rate
     found["MuJoCo rollouts, all processors"] = timed(lambda: rollouts(0.7, few, STEP), len(few), 1)
     found["a numpy loop"] = timed(lambda: numpy_loop(many[:20_000], 1800), 20_000, 1)
     return found
@@ -139,10 +138,10 @@ def in_free_space() -> Rates:
     random = np.random.default_rng(0)
     places = np.column_stack([random.uniform(0.0, 31.0, 400_000), random.uniform(3.8, 29.0, 400_000)])
     hand, found = closing_hand(6.0, [24.4], 3.8), {}
+    capture_all(hand, places[:1000], restitution=0.9)
     for threads in (1, 2):
-        numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
-        capture_all(hand, places[:1000], restitution=0.9)
-        rate = timed(lambda: capture_all(hand, places, restitution=0.9), len(places))
+        with allotted(threads):
+            rate = timed(lambda: capture_all(hand, places, restitution=0.9), len(places))
         found[f"palmar, {threads} thread{'s'[: threads - 1]}"] = rate
     found["pymunk"] = timed(lambda: pymunk_loop(places[:200]), 200, 1)
     return found
@@ -162,8 +161,8 @@ def whole_answers() -> Rates:
 
 
 def sweeps() -> Rates:
-    """Rows a second of the shipped sweep, from the first shard to the last, written."""
-    asked, found = open_sweep("sweep_table"), {}
+    """Rows a second of the shipped sweep, eight times as long, from the first shard to the last, written."""
+    asked, found = open_sweep("sweep_table").model_copy(update={"samples": 200_000}), {}
     for workers in (1, 2):
         with tempfile.TemporaryDirectory() as folder, local_engine(workers) as engine:
             engine.rate(asked)

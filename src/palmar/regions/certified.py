@@ -60,7 +60,7 @@ class CertifiedSets:
 
 
 def certified_sets(
-    motion: HandMotion, radius: float, tolerance: float | None = None, share: float = SHARE, threads: int = 2
+    motion: HandMotion, radius: float, tolerance: float | None = None, share: float = SHARE, threads: int | None = None
 ) -> CertifiedSets:
     """Inner and outer side of the centres from which ``motion`` catches a disk of ``radius`` (m) without friction.
 
@@ -95,7 +95,7 @@ def certified_sets(
 
 
 def certified_region(
-    motion: HandMotion, radius: float, tolerance: float | None = None, share: float = SHARE, threads: int = 2
+    motion: HandMotion, radius: float, tolerance: float | None = None, share: float = SHARE, threads: int | None = None
 ) -> Region:
     """``certified_sets`` as a region: the centre region is the inner side."""
     sets = certified_sets(motion, radius, tolerance, share, threads)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
-from multiprocessing import get_context
-from os import cpu_count
+from multiprocessing import cpu_count, get_context
 from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
@@ -24,6 +23,7 @@ from palmar.faces.cli.behaviour_options import (
 )
 from palmar.faces.cli.printing import AsJson, CaseName, Check, answer, show
 from palmar.faces.cli.texts import table, titled
+from palmar.mechanics.batch import allot
 from palmar.models.shipped import open_case
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def _pool(runs: int) -> Executor:
     if runs <= FEW:
         return ThreadPoolExecutor(1)
     # A fresh interpreter for each process: one forked from threads may wait forever.
-    return ProcessPoolExecutor(cpu_count() or 1, mp_context=get_context("spawn"))
+    return ProcessPoolExecutor(cpu_count(), mp_context=get_context("spawn"), initializer=allot, initargs=(1,))
 
 
 def _record(found: MatchedCapture) -> dict[str, Any]:

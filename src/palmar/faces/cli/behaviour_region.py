@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import sys
 from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
-from os import cpu_count
+from multiprocessing import cpu_count, get_context
 from pathlib import Path
 from typing import Annotated
 
@@ -29,6 +28,7 @@ from palmar.faces.cli.region_options import fineness
 from palmar.faces.cli.texts import region_text, titled
 from palmar.faces.cli.world_option import Physics, maker_of
 from palmar.faces.records import region_record
+from palmar.mechanics.batch import allot
 from palmar.models.shipped import open_case
 
 MOST_DRAWS = 1000
@@ -77,7 +77,7 @@ def region(
         print(f"\rpalmar: {done} runs", end="", file=sys.stderr, flush=True)
 
     # A fresh interpreter for each process: one forked from threads may wait forever.
-    pool = ProcessPoolExecutor(cpu_count() or 1, mp_context=get_context("spawn"))
+    pool = ProcessPoolExecutor(cpu_count(), mp_context=get_context("spawn"), initializer=allot, initargs=(1,))
     try:
         result = behaviour_region(given, pool, finely, circumstances, report if shows else None, draws)
     finally:

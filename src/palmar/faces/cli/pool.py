@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import get_context
-from os import cpu_count
+from multiprocessing import cpu_count, get_context
 from typing import Protocol
 
 from rich.console import Console
@@ -22,12 +21,16 @@ from rich.progress import (
 )
 from rich.text import Text
 
+from palmar.mechanics.batch import allot
+
 
 @contextmanager
 def processes(most: int | None = None) -> Iterator[Executor]:
     """One process for each processor, ``most`` at most; a process starts with its first task."""
     # A fresh interpreter for each process: one forked from threads may wait forever.
-    pool = ProcessPoolExecutor(min(cpu_count() or 1, most or 1_000_000), mp_context=get_context("spawn"))
+    pool = ProcessPoolExecutor(
+        min(cpu_count(), most or 1_000_000), mp_context=get_context("spawn"), initializer=allot, initargs=(1,)
+    )
     try:
         yield pool
     finally:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-import os
 import time
 from collections import Counter
+from multiprocessing import cpu_count
 
 from palmar.faces.studio.job import Client, Job
 from palmar.faces.studio.kinds import Lane
@@ -18,7 +18,7 @@ CHECKED_EVERY = 0.25
 
 def workers_here() -> int:
     """As many as there are processors, two at least, eight at most."""
-    return min(max(os.cpu_count() or 1, 2), 8)
+    return min(max(cpu_count(), 2), 8)
 
 
 class Pool:

@@ -10,12 +10,12 @@ psi_c = arccos(-(D - R - h) / L), as the trapezoid below the line of the tips. G
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.mechanics.batch import in_parts
 from palmar.mechanics.compiled import compiled_to_allocate
 from palmar.mechanics.impact.capture_run import capture_on
 from palmar.mechanics.impact.capture_state import IMPACTS, LOGGED, SPIN, VX, VY, Bench, T, X, Y, bench
@@ -70,7 +70,7 @@ def capture(
 def capture_all(
     hand: CaptureHand, positions: ArrayLike, velocities: ArrayLike = (0.0, 0.0), restitution: ArrayLike = 1.0, *,
     spins: ArrayLike = 0.0, law: ImpactLaw | None = None, hand_velocity: ArrayLike = (0.0, 0.0),
-    most_events: int = MOST_EVENTS, threads: int = 2,
+    most_events: int = MOST_EVENTS, threads: int | None = None,
 ) -> Captures:  # fmt: skip
     """Batch: ``positions`` (N, 2); ``velocities`` (N, 2) or (2,), ``restitution`` and ``spins`` (N,) or one; SI.
 
@@ -85,13 +85,8 @@ def capture_all(
     codes, ends = np.empty(len(places), np.int8), np.empty((len(places), END_WIDTH))
     known = covered(hand, law or ImpactLaw())
 
-    def part(first: int) -> None:
-        some = slice(first, first + ROWS_PER_TASK)
+    def part(some: slice) -> None:
         capture_rows(hand, known, bench(hand), starts[some], es[some], most_events, codes[some], ends[some])
 
-    if len(places) <= ROWS_PER_TASK:
-        part(0)
-    else:
-        with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(part, range(0, len(places), ROWS_PER_TASK)))
+    in_parts(part, len(places), ROWS_PER_TASK, threads)
     return Captures(codes, ends)

@@ -9,13 +9,13 @@ stall a finger on the way. Everything else is left open. Proof: docs/derivations
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from math import acos, exp, inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.batch import in_parts
 from palmar.mechanics.compiled import compiled, compiled_to_allocate, inlined
 from palmar.mechanics.pushing.closing_end import in_pocket, opening
 from palmar.mechanics.pushing.enclosure import Closed
@@ -280,14 +280,14 @@ def certify_rows(hand: HandMotion, radius: float, closed: Closed, starts: Floats
         codes[k] = certify(hand, radius, closed, ball, room_, reached)
 
 
-def certify_all(hand: HandMotion, radius: float, closed: Closed, starts: Floats, threads: int = 2) -> NDArray[np.int8]:
+def certify_all(
+    hand: HandMotion, radius: float, closed: Closed, starts: Floats, threads: int | None = None
+) -> NDArray[np.int8]:
     """Batch: ``starts`` (N, 3), x, y and size of each ball (m), all valid starts in which it speaks for -> codes (N,)."""
     rows, codes = np.ascontiguousarray(starts, dtype=float), np.zeros(len(starts), np.int8)
 
-    def part(first: int) -> None:
-        some = slice(first, first + ROWS_PER_TASK)
+    def part(some: slice) -> None:
         certify_rows(hand, radius, closed, rows[some], codes[some])
 
-    with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(part, range(0, len(rows), ROWS_PER_TASK)))
+    in_parts(part, len(rows), ROWS_PER_TASK, threads)
     return codes

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import atan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from palmar.mechanics.batch import in_parts
 from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.closing_disk import End, close_on_disk
 from palmar.mechanics.pushing.closing_tables import ClosingHand, Tables, build_tables
@@ -29,7 +29,11 @@ class Ends:
 
 
 def close_disk(
-    hand: ClosingHand, surface: LimitSurface, starts: ArrayLike, tables: Tables | None = None, threads: int = 2
+    hand: ClosingHand,
+    surface: LimitSurface,
+    starts: ArrayLike,
+    tables: Tables | None = None,
+    threads: int | None = None,
 ) -> Ends:
     """Close a straight-fingered crossing hand on a disk from each start (N, 2), its centre in m; see closing_disk.
 
@@ -41,15 +45,10 @@ def close_disk(
     codes, ends = np.empty(len(places), np.int8), np.empty((len(places), 5))
     known, alpha = tables or build_tables(hand, surface), atan(hand.friction)
 
-    def part(first: int) -> None:
-        some = slice(first, first + ROWS_PER_TASK)
+    def part(some: slice) -> None:
         close_on_few(hand, known, alpha, places[some], codes[some], ends[some])
 
-    if len(places) <= ROWS_PER_TASK:
-        part(0)
-    else:
-        with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(part, range(0, len(places), ROWS_PER_TASK)))
+    in_parts(part, len(places), ROWS_PER_TASK, threads)
     return Ends(codes, ends[:, :3], ends[:, 3:])
 
 

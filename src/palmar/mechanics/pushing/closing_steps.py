@@ -15,13 +15,13 @@ for the end pose of a polygon that escapes off the very tip of a line finger: th
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.batch import in_parts
 from palmar.mechanics.compiled import compiled, compiled_to_allocate
 from palmar.mechanics.pushing import closing_end
 from palmar.mechanics.pushing.closing_contacts import look, look_again, settle_and_look, without_wall
@@ -264,7 +264,7 @@ def carry_rows(
 
 def carry_all(
     hand: HandMotion, body: Body, starts: Floats,
-    tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS, threads: int = 2,
+    tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS, threads: int | None = None,
 ) -> tuple[NDArray[np.int8], Floats, NDArray[np.int8]]:  # fmt: skip
     """Batch: ``starts`` (N, 3) or (N, 2) -> outcome codes (N,), ends (N, 5) = x, y, theta, right, left, flags (N,).
 
@@ -275,7 +275,7 @@ def carry_all(
 
 def carry_halting(
     hand: HandMotion, body: Body, starts: Floats,
-    tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS, threads: int = 2,
+    tolerance: float = TOLERANCE, most_steps: int = MOST_STEPS, threads: int | None = None,
 ) -> tuple[NDArray[np.int8], Floats, NDArray[np.int8], Floats]:  # fmt: skip
     """As ``carry_all``, with the times (N,) at which the arm was halted before a wall, or MOVING."""
     body = tabulated(body) if len(starts) >= MANY_STARTS and tolerance >= BATCH_TOLERANCE else body
@@ -284,10 +284,8 @@ def carry_halting(
     codes, flags = np.zeros(len(rows), np.int8), np.zeros(len(rows), np.int8)
     ends, halts = np.zeros((len(rows), 5)), np.zeros(len(rows))
 
-    def part(first: int) -> None:
-        some = slice(first, first + ROWS_PER_TASK)
+    def part(some: slice) -> None:
         carry_rows(hand, body, rows[some], tolerance, most_steps, codes[some], ends[some], flags[some], halts[some])
 
-    with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(part, range(0, len(rows), ROWS_PER_TASK)))
+    in_parts(part, len(rows), ROWS_PER_TASK, threads)
     return codes, ends, flags, halts

@@ -11,7 +11,6 @@ Assumptions: the pusher does not turn; pressure, friction of the table and of th
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from enum import Enum
 from math import cos, hypot, sin
@@ -20,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from palmar.mechanics.batch import in_parts
 from palmar.mechanics.compiled import compiled
 from palmar.mechanics.pushing.contact_solve import Workspace, workspace
 from palmar.mechanics.pushing.metric import Triple
@@ -63,7 +63,12 @@ class Pushed:
 
 
 def push(
-    slider: Slider, pusher: Pusher, starts: Floats, paths: Floats, tolerance: float = TOLERANCE, threads: int = 2
+    slider: Slider,
+    pusher: Pusher,
+    starts: Floats,
+    paths: Floats,
+    tolerance: float = TOLERANCE,
+    threads: int | None = None,
 ) -> Pushed:
     """Push once per row: start poses (N, 3) x, y, theta of the object's frame, pusher centres (N, 4) from x, y to x, y.
 
@@ -73,12 +78,10 @@ def push(
     lines = np.ascontiguousarray(paths, dtype=float)
     codes, several = np.zeros(len(poses), dtype=np.int64), np.zeros(len(poses), dtype=np.bool_)
 
-    def part(first: int) -> None:
-        rows = slice(first, first + ROWS_PER_TASK)
+    def part(rows: slice) -> None:
         push_rows(slider, pusher, poses[rows], lines[rows], tolerance, codes[rows], several[rows], workspace())
 
-    with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(part, range(0, len(poses), ROWS_PER_TASK)))
+    in_parts(part, len(poses), ROWS_PER_TASK, threads)
     return Pushed(poses, tuple(PushOutcome(int(code)) for code in codes), several)
 
 

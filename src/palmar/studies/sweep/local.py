@@ -45,13 +45,18 @@ class Local:
 @contextmanager
 def local_engine(workers: int | None = None) -> Iterator[Local]:
     """Processes for a sweep: as many as this one may use processors, or ``workers``."""
-    number = workers or len(os.sched_getaffinity(0))
+    number = workers or _processors()
     # A fresh interpreter for each process: one forked from threads may wait forever.
     pool = ProcessPoolExecutor(number, mp_context=get_context("spawn"), initializer=_end_with_parent)
     try:
         yield Local(pool, number)
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def _processors() -> int:
+    """How many this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _end_with_parent() -> None:

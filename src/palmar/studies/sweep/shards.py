@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 import pyarrow as pa
 
+from palmar.mechanics.batch import allotted
 from palmar.models.sweep import Sweep
 from palmar.studies.sweep.answers import NOT_ANSWERED, OUTCOMES, answers
 from palmar.studies.sweep.store import Store
@@ -14,9 +15,13 @@ from palmar.studies.sweep.values import values
 
 
 def shard_table(sweep: Sweep, first: int, last: int) -> pa.Table:
-    """Rows ``first`` to ``last`` (excluded): row, the numbers by their keys, the answers, ``error`` where none."""
+    """Rows ``first`` to ``last`` (excluded): row, the numbers by their keys, the answers, ``error`` where none.
+
+    On one processor: the others have shards of their own.
+    """
     given = values(sweep, first, last)
-    found, reasons = answers(sweep, given)
+    with allotted(1):
+        found, reasons = answers(sweep, given)
     columns = {"row": pa.array(np.arange(first, last)), **{key: pa.array(column) for key, column in given.items()}}
     for name, column in found.items():
         if name == "outcome":
