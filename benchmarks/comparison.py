@@ -16,6 +16,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import date
 from importlib.metadata import version
 from math import pi
@@ -120,6 +121,7 @@ def on_the_table() -> Rates:
         with allotted(threads):
             rate = timed(lambda: close_disk(hand, surface, many, tables), len(many))
         found[f"palmar, {threads} thread{'s'[: threads - 1]}"] = rate
+    rollouts(0.7, few[:2], STEP)
     found["MuJoCo rollouts, all processors"] = timed(lambda: rollouts(0.7, few, STEP), len(few), 1)
     found["a numpy loop"] = timed(lambda: numpy_loop(many[:20_000], 1800), 20_000, 1)
     return found
@@ -162,7 +164,7 @@ def whole_answers() -> Rates:
 
 def sweeps() -> Rates:
     """Rows a second of the shipped sweep, eight times as long, from the first shard to the last, written."""
-    asked, found = open_sweep("sweep_table").model_copy(update={"samples": 200_000}), {}
+    asked, found = replace(open_sweep("sweep_table"), samples=200_000), {}
     for workers in (1, 2):
         with tempfile.TemporaryDirectory() as folder, local_engine(workers) as engine:
             engine.rate(asked)
