@@ -14,7 +14,7 @@ PRINTED = {
     "05_four_joints.py": "radii up to 177.5 mm",
     "06_how_to_close.py": "curl first, curled by 50 deg: 35 % more",
     "07_how_softly.py": "touch_down: 0.6 N at the first touch, caged",
-    "08_which_hand.py": "palm 80.1, fingers 100.1 mm: 280.4 mm in all, 4 (R + e) = 280.0",
+    "08_which_hand.py": "palm 80.1, fingers 100.2 mm: 280.4 mm in all, 4 (R + e) = 280.0",
 }
 
 
