@@ -16,6 +16,7 @@ import uvicorn
 from palmar.errors import InputError, OutputError
 from palmar.faces.studio.app import make_app
 from palmar.faces.studio.guard import Door
+from palmar.faces.studio.leaving import LeavingProtocol
 from palmar.faces.studio.pool import Pool, workers_here
 from palmar.faces.studio.requests import LARGEST_MESSAGE
 
@@ -52,7 +53,7 @@ def serve(address: Address, *, browser: bool) -> None:
     door = Door(frozenset({"localhost", address.host}), address.token)
     config = uvicorn.Config(
         make_app(Pool(workers_here()), door, ready),
-        ws="websockets-sansio", ws_max_size=LARGEST_MESSAGE, ws_max_queue=16, ws_per_message_deflate=False,
+        ws=LeavingProtocol, ws_max_size=LARGEST_MESSAGE, ws_max_queue=16, ws_per_message_deflate=False,
         http="h11", loop="asyncio", log_level="warning", access_log=False, server_header=False, proxy_headers=False,
         limit_concurrency=MOST_CONNECTIONS, timeout_graceful_shutdown=GRACE,
     )  # fmt: skip
