@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from shapely import LineString, Point
 
+from palmar.models.case_file import build_case
 from palmar.models.hand import Hand
 from palmar.models.sensors import SensorLayout, Sensors, Stretch
 from palmar.regions.profile import DEAD, profile
@@ -77,3 +78,11 @@ def test_fingers_turned_past_each_other_are_one_profile() -> None:
     seen = profile(hand, 0.02, (), pi - 0.6)
     x = np.array([-0.03, 0.03])
     assert seen.heights(x)[0] == pytest.approx(seen.heights(x)[1])
+
+
+def test_chords_that_hardly_cross_leave_no_doubt_larger_than_the_hand() -> None:
+    raw = {"palm_width_mm": 152.84454064561908, "finger_thickness_mm": 196.5228375266183}
+    raw["finger_links_mm"] = [189.33493334482378, 134.53135267434251, 0.035175450675322024]
+    hand = build_case({"hand": raw, "object": {"radius_mm": 38.0}}).hand
+    seen = profile(hand, 0.038, Sensors().stretches(hand), 1.6)
+    assert max(each.blur for each in seen.pieces) < hand.palm_width + 2.0 * hand.finger_length

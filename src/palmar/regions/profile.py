@@ -178,12 +178,17 @@ def _over_span(low: Floats, high: Floats, begin: float, end: float) -> list[Span
 
 
 def _joined(spans: list[Span], owners: list[int], flattening: float) -> list[Piece]:
-    """Neighbouring spans of one owner, where they meet, as one piece."""
+    """Neighbouring spans of one owner, where they meet, as one piece.
+
+    Chords that hardly cross, or stand upright, tell nothing of where the arcs do, but on the profile it is.
+    """
     pieces: list[tuple[int, list[tuple[float, float]], float]] = []
-    before = 0.0
+    before, heights = 0.0, [height for span in spans for height in (span[2], span[4])]
+    most = hypot(spans[-1][3] - spans[0][1], max(heights) - min(heights)) if spans else 0.0
     for curve, x, y, x_end, y_end, crossing in spans:
         slope = (y_end - y) / max(x_end - x, 1e-300)
         after = _blur(slope, crossing, flattening)
+        after = after if after < most else most
         if pieces and pieces[-1][0] == owners[curve]:
             owner, points, blur = pieces[-1]
             if abs(points[-1][0] - x) < 1e-9 and abs(points[-1][1] - y) < 1e-9:
