@@ -145,7 +145,7 @@ def in_free_space() -> Rates:
         with allotted(threads):
             rate = timed(lambda: capture_all(hand, places, restitution=0.9), len(places))
         found[f"palmar, {threads} thread{'s'[: threads - 1]}"] = rate
-    found["pymunk"] = timed(lambda: pymunk_loop(places[:200]), 200, 1)
+    found["pymunk"] = timed(lambda: pymunk_loop(places[:400]), 400)
     return found
 
 
