@@ -91,7 +91,8 @@ def _chapter_3() -> Iterator[SourceNumber]:
     for closure, why in reasons.items():
         told, found = (build_region(case, model, closure) for model in (Model.PUBLISHED, Model.EXACT))
         yield SourceNumber(
-            "3.3.2", "3.2", f"area of the centre region by the source's construction, {closure.value}", "units squared",
+            "3.3.2", "3.2", f"area of the centre region (the source's by its construction), {closure.value}",
+            "units squared",
             (told.centre.area,), (found.centre.area,), found.guarantee, why,
         )  # fmt: skip
 

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from threading import current_thread
 
 import numpy as np
 import pytest
@@ -14,9 +15,12 @@ pytest.importorskip("pyarrow", reason="needs the extra palmar[sweep]")
 import pyarrow.parquet as parquet
 
 from palmar.errors import InputError, OutputError
+from palmar.mechanics import batch
+from palmar.mechanics.batch import in_parts
 from palmar.models.sweep_file import parse_sweep
 from palmar.studies.closure import closure_answer
 from palmar.studies.simulate import simulate_start
+from palmar.studies.sweep import shards
 from palmar.studies.sweep.query import mean_by, query, status
 from palmar.studies.sweep.run import run_sweep
 from palmar.studies.sweep.shards import run_shard, shard_table
@@ -64,6 +68,18 @@ def test_rows_are_what_simulate_says_of_each():
         assert [table[name][k] for name in ("x_m", "y_m", "theta_rad")] == pytest.approx(ends.pose, abs=1e-12)
         assert (table["right_rad"][k], table["left_rad"][k]) == (ends.right[0], ends.left[0])
     assert set(table["outcome"]) > {"frictional"}
+
+
+def test_a_shard_keeps_to_one_thread(monkeypatch):
+    def seen(sweep, given):
+        in_parts(lambda _: threads.add(current_thread()), 8, 1)
+        return answers(sweep, given)
+
+    threads, answers = set(), shards.answers
+    monkeypatch.setattr(batch, "cpu_count", lambda: 4)
+    monkeypatch.setattr(shards, "answers", seen)
+    shard_table(SWEEP, 0, 2)
+    assert threads == {current_thread()}
 
 
 def test_a_row_that_is_refused_has_its_reason_and_no_answer():
